@@ -45,7 +45,8 @@ struct Problem {
 
   Problem(AirlightMix which, FogMode fog_mode, LampLeg leg, std::size_t count)
       : mix(which), fog(fog_mode), lamp_leg(leg), rays(draw_airlight_mix(which, fog_mode, leg, count, kSeed)) {
-    for (const AirlightCase& c : rays) references.push_back(reference_airlight(c.light, c.fog, c.ray, c.scattering));
+    for (const AirlightCase& c : rays)
+      references.push_back(reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg));
     results.resize(count);
   }
 };
@@ -108,9 +109,9 @@ std::vector<Method> methods_of(Problem& problem, const SunTable& table, std::siz
       add("march-clipped", steps, all, [steps](const AirlightCase& c) { return march_lit_airlight(c, steps); });
     }
   }
-  add(kLitfogName, {}, all, [](const AirlightCase& c) { return airlight(c.light, c.fog, c.ray, c.scattering); });
+  add(kLitfogName, {}, all, [](const AirlightCase& c) { return airlight(c.light, c.atmosphere, c.ray, c.lamp_leg); });
   add(kReferenceName, {}, references,
-      [](const AirlightCase& c) { return reference_airlight(c.light, c.fog, c.ray, c.scattering); });
+      [](const AirlightCase& c) { return reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg); });
   return methods;
 }
 

@@ -7,7 +7,7 @@ namespace {
 test::AirlightCase draw_any_case(test::Random& random, FogMode mode, LampLeg lamp_leg) {
   test::AirlightCase c = random.chance(1.0 / 3) ? test::draw_airlight_case(random, mode, lamp_leg)
                                                 : test::draw_spot_airlight_case(random, mode, lamp_leg);
-  if (random.chance(0.5)) c.scattering.phase.asymmetry = random.uniform(-0.9, 0.9);
+  if (random.chance(0.5)) c.atmosphere.phase.asymmetry = random.uniform(-0.9, 0.9);
   return c;
 }
 
@@ -43,7 +43,7 @@ std::vector<test::AirlightCase> draw_airlight_mix(AirlightMix mix, FogMode mode,
   std::vector<test::AirlightCase> rays;
   while (rays.size() < count) {
     const test::AirlightCase c = draw_case(mix, random, mode, lamp_leg);
-    if (reference_airlight(c.light, c.fog, c.ray, c.scattering) > kDimAirlight) rays.push_back(c);
+    if (reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg) > kDimAirlight) rays.push_back(c);
   }
   return rays;
 }

@@ -26,10 +26,10 @@ class Ray {
       : attenuation_(c.light.light.attenuation),
         threshold_(c.light.light.threshold),
         cone_(packed_cone<double>(c.light.light.cone)),
-        density_(c.fog.density * c.light.light.density_scale),
-        is_exp_(c.fog.mode == FogMode::exp),
-        is_fogged_(c.scattering.lamp_leg == LampLeg::fogged),
-        phase_(c.scattering.phase),
+        density_(c.atmosphere.fog.density * c.light.light.density_scale),
+        is_exp_(c.atmosphere.fog.mode == FogMode::exp),
+        is_fogged_(c.lamp_leg == LampLeg::fogged),
+        phase_(c.atmosphere.phase),
         length_(c.ray.length) {
     const glm::dvec3 to_light = c.light.position - c.ray.origin;
     approach_ = glm::dot(to_light, c.ray.direction);

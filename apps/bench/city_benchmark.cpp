@@ -279,7 +279,7 @@ class CityTrials {
                                                        render::FogLighting fog_lighting = render::FogLighting::peak) {
     const render::RenderSettings settings{.fog_lighting = fog_lighting};
     auto renderer = std::make_unique<render::Renderer>(scene, kWidth, kHeight, settings);
-    renderer->set_fog(Fog::from_visibility(FogMode::exp, visibility));
+    renderer->set_atmosphere(renderer->scene().atmosphere.with(Fog::from_visibility(FogMode::exp, visibility)));
     renderer->draw();
     return renderer;
   }

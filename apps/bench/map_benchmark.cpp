@@ -34,7 +34,7 @@ Result measure_maps(bool quick) {
   for (const char* path : {"lookup-3d", "lookup-2d"}) {
     for (const int size : sizes) {
       render::Renderer renderer(scene, kWidth, kHeight, {.path = render::find_lighting_path(path), .map_size = size});
-      renderer.set_fog(Fog::from_visibility(FogMode::exp2, 100.0));
+      renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp2, 100.0)));
       renderer.draw();
       const measure::PictureError error = measure::compare_with_reference(renderer).error;
       const double p99 = measure::quantile({error.pixels.begin(), error.pixels.end()}, 0.99);

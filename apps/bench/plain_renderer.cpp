@@ -104,26 +104,27 @@ PlainRenderer::PlainRenderer(const scene::Scene& scene, int width, int height, i
     }
   }
   std::ranges::stable_sort(draws_, {}, [](const Draw& draw) { return draw.material->material->name; });
-  set_fog(Fog{});
+  set_atmosphere(scene.atmosphere);
 }
 
-void PlainRenderer::set_fog(const Fog& fog) {
-  fog_ = fog;
+void PlainRenderer::set_atmosphere(const Atmosphere& atmosphere) {
+  atmosphere_ = atmosphere;
   packed_.clear();
   for (const std::size_t i : light_order_) {
     const PlacedLight& light = scene_.lights[i];
-    packed_.push_back(pack(light, solve_fog_intensity(light.light, fog)));
+    packed_.push_back(pack(light, solve_fog_intensity(light.light, atmosphere.fog)));
     if (const auto use = scene_.cookie_uses.find(i); use != scene_.cookie_uses.end()) {
       const glm::dvec3 up = glm::transpose(scene::cookie_from_world(light.direction, use->second.roll))[1];
       packed_.back().axis_profile.w = float(LITFOG_PROFILE_COOKIE);
       packed_.back().cone = glm::vec4(float(use->second.cookie), glm::vec3(up));
     }
   }
-  fog_block_.upload(pack_fog_header(fog, {}, 0));
+  fog_block_.upload(pack_fog_header(atmosphere, 0));
 }
 
 void PlainRenderer::draw() {
-  const render::View view = render::view_of(scene_.camera, {framebuffer_.width(), framebuffer_.height()});
+  const render::View view = render::view_of(scene_.camera, {framebuffer_.width(), framebuffer_.height()},
+                                            atmosphere_.top - scene_.camera.position.y);
   framebuffer_.bind();
   glEnable(GL_CULL_FACE);
   glClear(GL_COLOR_BUFFER_BIT);
@@ -143,9 +144,9 @@ void PlainRenderer::draw() {
 void PlainRenderer::use(const gl::Program& program) const {
   program.use();
   glUniform4fv(program.uniform("lights"), GLsizei(5 * packed_.size()), glm::value_ptr(packed_[0].position_extent));
-  set_uniform(program, "density", float(fog_.density));
-  set_uniform(program, "is_exp2", unsigned{fog_.mode == FogMode::exp2});
-  set_uniform(program, "ambient_fog_color", scene_.environment.ambient_fog_color);
+  set_uniform(program, "density", float(atmosphere_.fog.density));
+  set_uniform(program, "is_exp2", unsigned{atmosphere_.fog.mode == FogMode::exp2});
+  set_uniform(program, "ambient_fog_color", glm::vec3(atmosphere_.ambient_fog_color));
   set_uniform(program, "moon_direction", scene_.environment.moon_direction);
   set_uniform(program, "moon_color", scene_.environment.moon_color);
   set_uniform(program, "eye", glm::vec3(scene_.camera.position));

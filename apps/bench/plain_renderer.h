@@ -42,7 +42,7 @@ class PlainRenderer {
   /// throws  gl::Unsupported where the driver has no framebuffer of that size or fewer samples
   PlainRenderer(const scene::Scene& scene, int width, int height, int samples);
 
-  void set_fog(const Fog& fog);
+  void set_atmosphere(const Atmosphere& atmosphere);
   /// Draws a frame and waits for it.
   void draw();
   render::Picture read() const { return framebuffer_.read(); }
@@ -73,7 +73,7 @@ class PlainRenderer {
   void draw_light_points(const render::View& view) const;
 
   const scene::Scene& scene_;
-  Fog fog_;
+  Atmosphere atmosphere_;
   render::Framebuffer framebuffer_;
   std::vector<std::size_t> light_order_;  // of the uniform array: first the local ones
   std::size_t local_count_;

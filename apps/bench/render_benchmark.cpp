@@ -121,7 +121,8 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
   const scene::Scene bundled = scene::read_scene(scene::bundled_scene_path(setting.scene));
   const scene::Scene scene = with_light_count(bundled, setting.lights);
   const scene::Scene two_lights = with_light_count(bundled, 2);
-  const Fog fog = Fog::from_visibility(FogMode::exp, scene::suggested_visibility(scene));
+  const Atmosphere atmosphere =
+      scene.atmosphere.with(Fog::from_visibility(FogMode::exp, scene::suggested_visibility(scene)));
   std::vector<std::unique_ptr<render::Renderer>> renderers;  // null: plain
   std::unique_ptr<PlainRenderer> plain;
   std::vector<measure::DrawFrame> in_turn;
@@ -129,7 +130,7 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
     std::unique_ptr<render::Renderer>& renderer = renderers.emplace_back();
     if (technique == kPlain) {
       plain = std::make_unique<PlainRenderer>(drawn, setting.width, setting.height, setting.samples);
-      plain->set_fog(fog);
+      plain->set_atmosphere(atmosphere);
       in_turn.push_back([&plain] {
         plain->draw();
         return render::FrameCounts{};
@@ -141,7 +142,7 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
                                           .fog_lighting = technique.fog_lighting,
                                           .samples = setting.samples};
     renderer = std::make_unique<render::Renderer>(drawn, setting.width, setting.height, settings);
-    renderer->set_fog(fog);
+    renderer->set_atmosphere(atmosphere);
     in_turn.push_back(measure::frames_of(*renderer));
   };
   const std::vector<Technique> techniques = techniques_of(setting);

@@ -31,7 +31,7 @@ std::vector<double> largest_contributions(render::Renderer& renderer) {
       const bool is_sky = sample.material < 0;
       if (is_sky || (s > 0 && sample.is_of_same_fragment(row[s - 1]))) continue;
       const measure::SurfacePoint point = model.surface_point(sample);
-      const double through = fog_factor_at(model.fog(), glm::distance(point.position, eye)) / step;
+      const double through = fog_factor_at(model.atmosphere().fog, glm::distance(point.position, eye)) / step;
       for (std::size_t i = 0; i < lights.size(); ++i) {
         const auto ray = measure::ray_within(lights[i].extent, lights[i], point.position);
         if (!ray) continue;
@@ -52,7 +52,7 @@ std::vector<std::size_t> lights_with_points(const render::Renderer& renderer) {
   const double aspect = double(renderer.width()) / renderer.height();
   const glm::mat4 clip_from_world = render::clip_from_view(camera, aspect) * scene::view_from_world<float>(camera);
   const render::PointList points =
-      render::list_points(lights, renderer.fog(), camera.position, render::make_frustum(clip_from_world),
+      render::list_points(lights, renderer.atmosphere().fog, camera.position, render::make_frustum(clip_from_world),
                           render::kPointShare * render::visible_step(0));
   std::vector<std::size_t> found;
   for (const std::int32_t point : points.lights) found.push_back(lights.scene_light(std::size_t(point)));

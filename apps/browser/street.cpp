@@ -111,11 +111,10 @@ scene::Scene make_street() {
   scene.name = "street";
   scene.camera = {.position = {1.7f, 1.55f, 1.2f}, .target = {0.2f, 2.3f, -30}, .field_of_view = glm::radians(50.0f)};
   scene.environment = {.ambient_light = {0.030f, 0.031f, 0.040f},
-                       .ambient_fog_color = {0.012f, 0.011f, 0.012f},
                        .sky_zenith = {0.0016f, 0.0020f, 0.0045f},
                        .sky_horizon = {0.0130f, 0.0115f, 0.0120f},
                        .star_brightness = 0.5f};
-  scene.fog_top = 60;
+  scene.atmosphere = {.top = 60, .ambient_fog_color = glm::vec3(0.012f, 0.011f, 0.012f)};
   return scene;
 }
 

@@ -100,11 +100,11 @@ View::Target::Target(glm::ivec2 target_size) : size(target_size) {
 
 FrameReport View::draw(const Fog& fog, const render::Display& display) {
   const FogLightChanges changes = updater_.set_fog(fog);
-  light_block_.upload(pack_fog_header(fog, scene_.environment.ambient_fog_color, updater_.instances().size()),
-                      updater_.kinds(), updater_.instances(), changes);
+  light_block_.upload(pack_fog_header(scene_.atmosphere.with(fog), updater_.instances().size()), updater_.kinds(),
+                      updater_.instances(), changes);
   FrameReport report{.bytes_uploaded = updater_.statistics().bytes_dirty + sizeof(FogHeader)};
 
-  const render::View view = render::view_of(scene_.camera, size_);
+  const render::View view = render::view_of(scene_.camera, size_, scene_.atmosphere.top - scene_.camera.position.y);
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_->framebuffer.id());
   glViewport(0, 0, size_.x, size_.y);
   glClear(GL_COLOR_BUFFER_BIT);
@@ -185,7 +185,7 @@ void View::draw_airlight(const render::View& view) {
   set_uniform(airlight_program_, "picture", render::kPassUnit);
   set_uniform(airlight_program_, "pixel_size", 2.0f / glm::vec2(size_));
   set_uniform(airlight_program_, "direction_from_clip", view.direction_from_clip);
-  render::set_fog_top(airlight_program_, scene_);
+  render::set_fog_top(airlight_program_, view.top_above_eye);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

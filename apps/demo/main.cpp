@@ -127,7 +127,7 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
   const auto is_given = [&app](const char* option) { return app.count(option) > 0; };
   scene::Scene scene = drawing::read_scene(options.scene);
   drawing::check_scene_options(app, scene);
-  drawing::set_scene(scene, drawing);
+  scene::turn_lights(scene, drawing.seconds);
   OutputFiles outputs;
   const std::string output = is_given("--output") ? options.output : scene.name + ".png";
   outputs.add("--output", output);
@@ -263,7 +263,7 @@ ExitStatus compare_by_paths(const CLI::App& app, const ComparisonOptions& option
   std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options.scenes));
   const bool turns = std::ranges::any_of(scenes, drawing::has_turning_light);
   check_options(app, {{"these scenes", !turns, {"--time"}, "none of their lights turns"}});
-  for (scene::Scene& scene : scenes) drawing::set_scene(scene, drawing);
+  for (scene::Scene& scene : scenes) scene::turn_lights(scene, drawing.seconds);
   const gl::HeadlessContext context;
   report(fmt::format("drawing {} scene{} on {}\n", scenes.size(), scenes.size() == 1 ? "" : "s", context.renderer()));
   compare_paths(scenes, options.folder, context.renderer(), drawing, options.frames);
@@ -336,7 +336,7 @@ Job add_sequence_job(CLI::App& app) {
     }
     check_options(app, drawing::drawing_rules(drawing));
     check_options(app, {{"--camera-path", app.count("--camera-path") > 0, {"--camera", "--target", "--fov-deg"}}});
-    Sequence sequence(options->sequence, drawing.phase);
+    Sequence sequence(options->sequence);
     check_options(app, {{sequence.scene().name,
                          !drawing::has_turning_light(sequence.scene()),
                          {"--time"},

@@ -25,14 +25,9 @@ const char* sky_name(render::SkyDrawing sky) {
 
 }  // namespace
 
-void set_scene(scene::Scene& scene, const DrawingOptions& options) {
-  scene::turn_lights(scene, options.seconds);
-  scene.phase = options.phase.value_or(scene.phase);
-}
-
 DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& options) {
   const double visibility = options.visibility_in(renderer.scene());
-  renderer.set_fog(options.fog_at(visibility));
+  renderer.set_atmosphere(options.atmosphere_of(renderer.scene(), visibility));
   render::Display display = options.display.display_for(renderer.scene());
   display.exposure = renderer.set_exposure(display.exposure);
   return {.display = display, .visibility = visibility};

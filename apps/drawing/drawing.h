@@ -28,9 +28,6 @@ struct Drawn {
   std::string gl_version;
 };
 
-/// Turns a scene's lights and gives its fog the asymmetry that the options state.
-void set_scene(scene::Scene& scene, const DrawingOptions& options);
-
 /// What a picture is drawn for.
 struct DrawnFor {
   render::Display display;  ///< an automatic exposure chosen

@@ -85,6 +85,12 @@ render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& p
   return settings;
 }
 
+Atmosphere DrawingOptions::atmosphere_of(const scene::Scene& scene, double metres) const {
+  Atmosphere air = scene.atmosphere.with(fog_at(metres));
+  if (phase) air.phase = *phase;
+  return air;
+}
+
 void add_fog(CLI::App& app, DrawingOptions& options) {
   command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
                                               {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},

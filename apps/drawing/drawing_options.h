@@ -7,8 +7,7 @@
 
 #include "command/option_rule.h"
 #include "drawing/display_options.h"
-#include "litfog/fog.h"
-#include "litfog/phase.h"
+#include "litfog/atmosphere.h"
 #include "render/render_settings.h"
 #include "scene/scene.h"
 
@@ -48,6 +47,8 @@ struct DrawingOptions {
   FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
   /// The fog of a visibility in metres.
   Fog fog_at(double metres) const { return Fog::from_visibility(fog_mode(), metres, contrast); }
+  /// A scene's atmosphere at a visibility, with the phase function that is asked for.
+  Atmosphere atmosphere_of(const scene::Scene& scene, double metres) const;
 };
 
 /// --fog, for a job that draws clear air anyway, and --phase-g.

@@ -66,7 +66,7 @@ std::string draw_fog_picture(const Light& light) {
   std::vector<std::uint16_t> pixels(std::size_t(kRowPixels) * kFogPictureHeight * kChannels, 65535);
   for (int view = 0; view < kViews; ++view) {
     const Fog fog = Fog::from_visibility(FogMode::exp, kFogPictureVisibilities[std::size_t(view)]);
-    airlight(placed, fog, rays, {}, airlights);
+    airlight(placed, {fog}, rays, LampLeg::fogged, airlights);
     for (int y = 0; y < kFogPictureHeight; ++y) {
       const int mirrored = std::min(y, kFogPictureHeight - 1 - y);
       for (int x = 0; x < kFogPictureWidth; ++x) {

@@ -46,7 +46,7 @@ double largest_weight(const Fog& fog, double eye_range) {
 
 }  // namespace
 
-double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scattering& scattering) {
+double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Phase& phase) {
   const glm::dvec3 to_light = light.placed.position - ray.origin;
   const double approach = glm::dot(to_light, ray.direction);
   const double nearest = glm::distance(to_light, std::clamp(approach, 0.0, ray.length) * ray.direction);
@@ -59,8 +59,8 @@ double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scat
   const double half_chord = std::sqrt(std::max(light.fog_extent * light.fog_extent - offset * offset, 0.0));
   const double first = std::clamp(approach - half_chord, 0.0, ray.length);
   const double last = std::clamp(approach + half_chord, first, ray.length);
-  const double factor = cone_at(light.placed.light.cone, largest_cosine(light.placed, ray, first, last)) *
-                        largest_phase(scattering.phase);
+  const double factor =
+      cone_at(light.placed.light.cone, largest_cosine(light.placed, ray, first, last)) * largest_phase(phase);
   if (std::isinf(light.fog.density)) return factor * brightest;
   const double denominator =
       formulas::denominator(offset, attenuation.constant, attenuation.linear, attenuation.quadratic);

@@ -16,8 +16,7 @@ namespace litfog::measure {
 /// too: the fog's -f' adds up to at most 1. All of them are multiplied with the cone at the smallest angle from its
 /// axis, and with the largest value of the phase function.
 ///
-/// ray, scattering  as airlight() takes them; scattering.lamp_leg is fogged
-/// returns          >= airlight, >= 0; may be infinite only where the attenuation is
-double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Scattering& scattering);
+/// returns  >= airlight, >= 0; may be infinite only where the attenuation is
+double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Phase& phase);
 
 }  // namespace litfog::measure

@@ -90,7 +90,7 @@ bool JumpWatch::is_at_jump(const Veil& veil, const glm::dvec3& position) const {
 bool JumpWatch::is_at_fog_horizon(double fog_above_eye, const glm::dvec3& direction) const {
   const auto opacity = [&](double rise) {
     const glm::dvec3 near(direction.x, direction.y + rise, direction.z);
-    return opacity_at(model_.fog(), fog_before_sky(fog_above_eye, near));
+    return opacity_at(model_.atmosphere().fog, fog_before_sky(fog_above_eye, near));
   };
   return is_seen(glm::dvec3(opacity(-kHorizonRounding) - opacity(kHorizonRounding)));
 }

@@ -36,7 +36,7 @@ LookupBounds::Interval LookupBounds::surface_color(const SurfacePoint& point) co
 }
 
 LookupBounds::Interval LookupBounds::fog_color(const glm::dvec3& position) const {
-  Interval color{model_.environment().ambient_fog_color, model_.environment().ambient_fog_color};
+  Interval color{model_.atmosphere().ambient_fog_color, model_.atmosphere().ambient_fog_color};
   for (const ReferenceLight& light : model_.lights()) {
     const auto ray = model_.lights_fog(light) ? ray_within(kAnyRange, light, position) : std::nullopt;
     if (!ray) continue;

@@ -36,10 +36,9 @@ PathModel::PathModel(const render::Renderer& renderer)
     : settings_(renderer.settings()),
       path_(*renderer.settings().path),
       environment_(renderer.scene().environment),
-      fog_(renderer.fog()),
-      scattering_{.lamp_leg = LampLeg::fogged, .phase = renderer.scene().phase},
+      atmosphere_(renderer.atmosphere()),
       materials_(renderer.materials()),
-      lights_(reference_lights(renderer.scene(), renderer.fog(), renderer.settings(), renderer.ends_exposure())),
+      lights_(reference_lights(renderer.scene(), renderer.atmosphere(), renderer.settings(), renderer.ends_exposure())),
       airlight_budget_(kAirlightBudget * std::exp2(-renderer.exposure())),
       eye_(renderer.scene().camera.position - renderer.origin()),
       forward_(axes_of(renderer.scene().camera).forward) {
@@ -126,7 +125,8 @@ glm::dvec3 PathModel::highlight(const SurfacePoint& point, const glm::dvec3& to_
 /// Ambient fog + sum over the carried lights of color * cone * intensity (Steven Hales 2004, "Realtime Pixel Lighting
 /// Using Fragment Programs", section "Lighting in Fog").
 Veil PathModel::veil(const glm::dvec3& position) const {
-  Veil veil{.color = environment_.ambient_fog_color, .opacity = opacity_at(fog_, glm::distance(position, eye_))};
+  Veil veil{.color = atmosphere_.ambient_fog_color,
+            .opacity = opacity_at(atmosphere_.fog, glm::distance(position, eye_))};
   if (veil.opacity <= 0) return veil;
   for (const ReferenceLight& light : lights_) {
     if (!lights_fog(light)) continue;
@@ -138,15 +138,15 @@ Veil PathModel::veil(const glm::dvec3& position) const {
 
 double PathModel::airlight(const ReferenceLight& light, const EyeRay& ray) const {
   if (!light.casts_shadows || settings_.shadows != render::Shadows::shafts) {
-    return light.airlight(fog_, ray, scattering_);
+    return light.airlight(atmosphere_, ray);
   }
   double sum = 0;
   for (const auto& [from, to] : shadows_->lit_stretches(light, ray)) {
     EyeRay part = ray;
     part.length = to;
-    sum += light.airlight(fog_, part, scattering_);
+    sum += light.airlight(atmosphere_, part);
     part.length = from;
-    sum -= light.airlight(fog_, part, scattering_);
+    sum -= light.airlight(atmosphere_, part);
   }
   return sum;
 }
@@ -162,7 +162,7 @@ glm::dvec3 PathModel::airlight(const glm::dvec3& direction, double length) const
   std::vector<Candidate> candidates;
   for (const ReferenceLight& light : lights_) {
     const glm::dvec3& color = light.placed.light.color;
-    const double most = airlight_bound(light, ray, scattering_) * render::largest_component(color);
+    const double most = airlight_bound(light, ray, atmosphere_.phase) * render::largest_component(color);
     if (most > 0) candidates.push_back({most, &light});
   }
   std::ranges::sort(candidates, {}, &Candidate::most);

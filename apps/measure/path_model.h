@@ -90,8 +90,8 @@ class PathModel {
   glm::dvec3 moonlight(const SurfacePoint& point) const;
 
   Veil veil(const glm::dvec3& position) const;
-  /// The renderer's fog.
-  const Fog& fog() const { return fog_; }
+  /// The renderer's.
+  const Atmosphere& atmosphere() const { return atmosphere_; }
   /// Whether a light lights the fog. Only then is it visible in `veil`.
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
   /// The airlight of all lights along a ray from the eye, by the definition's integral, but for the shafts of those
@@ -110,8 +110,7 @@ class PathModel {
   const render::RenderSettings& settings_;
   const render::LightingPath& path_;
   const scene::Environment& environment_;
-  Fog fog_;
-  Scattering scattering_;
+  Atmosphere atmosphere_;
   std::vector<scene::Material> materials_;
   std::vector<ReferenceLight> lights_;
   double airlight_budget_;

@@ -22,14 +22,14 @@ double ReferenceLight::emitted(const glm::dvec3& direction) const {
                 : cone_at(placed.light.cone, glm::dot(placed.direction, direction));
 }
 
-double ReferenceLight::airlight(const Fog& scene_fog, const EyeRay& ray, const Scattering& scattering) const {
+double ReferenceLight::airlight(const Atmosphere& atmosphere, const EyeRay& ray) const {
   PlacedLight seen = placed;
   seen.light.threshold = fog_threshold;
-  return cookie ? reference_airlight(seen, *cookie, cookie_from_world, scene_fog, ray, scattering)
-                : reference_airlight(seen, scene_fog, ray, scattering);
+  return cookie ? reference_airlight(seen, *cookie, cookie_from_world, atmosphere, ray)
+                : reference_airlight(seen, atmosphere, ray);
 }
 
-std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog,
+std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Atmosphere& atmosphere,
                                              const render::RenderSettings& settings, double exposure) {
   const bool has_far_ends = render::lights_fog_beyond_end(settings);
   std::vector<ReferenceLight> lights;
@@ -40,7 +40,7 @@ std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fo
     const Light& light = placed.light;
     // Beyond a light's end a(r) is below the threshold, and the fog's weights along a ray sum to less than 1.
     const double each = kCutOff * std::exp2(-exposure) / double(scene.lights.size());
-    const double brightest = render::largest_component(light.color) * largest_phase(scene.phase);
+    const double brightest = render::largest_component(light.color) * largest_phase(atmosphere.phase);
     const double fog_threshold =
         has_far_ends && brightest > 0 ? std::min(light.threshold, each / brightest) : light.threshold;
     const double extent = compute_extent(light.attenuation, light.threshold);
@@ -51,8 +51,8 @@ std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fo
                       .extent = extent > 0 && render::lights_surfaces_beyond_end(settings) ? kInfinity : extent,
                       .fog_threshold = fog_threshold,
                       .fog_extent = compute_extent(light.attenuation, fog_threshold),
-                      .fog = scaled(fog, light.density_scale),
-                      .fog_intensity = has_intensity ? solve_fog_intensity(light, fog).intensity : 0,
+                      .fog = scaled(atmosphere.fog, light.density_scale),
+                      .fog_intensity = has_intensity ? solve_fog_intensity(light, atmosphere.fog).intensity : 0,
                       .cookie = has_cookie ? &scene.cookies[use->second.cookie] : nullptr,
                       .cookie_from_world =
                           has_cookie ? scene::cookie_from_world(placed.direction, use->second.roll) : glm::dmat3(1.0)});

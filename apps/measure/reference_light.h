@@ -26,8 +26,8 @@ struct ReferenceLight {
 
   /// The fraction of the axial intensity that the light sends into a unit direction.
   double emitted(const glm::dvec3& direction) const;
-  /// Its airlight along a ray through the scene's fog.
-  double airlight(const Fog& scene_fog, const EyeRay& ray, const Scattering& scattering) const;
+  /// Its airlight along a ray, its own leg fogged.
+  double airlight(const Atmosphere& atmosphere, const EyeRay& ray) const;
 };
 
 /// What the ends of all lights together may cut off the airlight of a ray, of what the exposure shows as white.
@@ -38,7 +38,7 @@ inline constexpr double kCutOff = 1e-6;
 ///
 /// scene     has to outlive them: they point to its cookies
 /// exposure  EV, for which the renderer chooses ends
-std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Fog& fog,
+std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Atmosphere& atmosphere,
                                              const render::RenderSettings& settings, double exposure = 0);
 
 }  // namespace litfog::measure

@@ -59,7 +59,7 @@ class ReferenceShading {
       : model_(renderer),
         jumps_(model_),
         eye_(renderer.scene().camera.position - renderer.origin()),
-        fog_above_eye_(renderer.scene().fog_top - renderer.scene().camera.position.y),
+        fog_above_eye_(model_.atmosphere().top - renderer.scene().camera.position.y),
         rays_(renderer.scene().camera, renderer.width(), renderer.height()) {
     if (model_.path().maps != render::LightMapSet::none) bounds_.emplace(model_, renderer.settings());
   }

@@ -185,7 +185,7 @@ Rows hales_figures(const FigurePainter& painter) {
       if (is_table) caption.push_back(fmt::format("{:.2f} x legacy's frame", times[i]));
       if (is_table && i == 0) caption.push_back("table 1, legacy: X800 1.0, 9800 1.130, FX 5950 1.847");
       if (is_table && i == 1) caption.push_back("table 1, shader: 1.95, 2.450, 4.830: 1.95, 2.17, 2.62 x legacy");
-      renderers[i]->set_fog(fog);
+      renderers[i]->set_atmosphere(renderers[i]->scene().atmosphere.with(fog));
       rows.back().push_back(painter.draw(*renderers[i], std::move(caption)));
     }
   }

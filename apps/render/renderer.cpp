@@ -70,11 +70,11 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
     shadows_.emplace(scene, lights_, surfaces_.surfaces(), framebuffer_.aspect(), settings);
   }
   if (settings.fog_lighting == FogLighting::airlight) {
-    airlight_.emplace(scene, fog_block_, framebuffer_.samples(), settings);
+    airlight_.emplace(fog_block_, framebuffer_.samples(), settings);
     airlight_->set_size({width, height});
   }
   if (!scene.cookies.empty()) cookies_ = upload_cookies(scene.cookies);
-  set_fog(Fog{});
+  set_atmosphere(scene.atmosphere);
   gl::check_errors("uploading the scene");
 }
 
@@ -110,20 +110,20 @@ void Renderer::set_lights_for(double ends_exposure) {
       BufferTexture(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(), BufferTexture::Texel::float4);
   surfaces_.set_lights();
   if (shadows_) shadows_.emplace(scene_, lights_, surfaces_.surfaces(), framebuffer_.aspect(), settings_);
-  set_fog(fog_);
+  set_atmosphere(atmosphere_);
 }
 
-void Renderer::set_fog(const Fog& fog) {
-  fog_ = fog;
-  const FogLightChanges changes = lights_.set_fog(fog);
+void Renderer::set_atmosphere(const Atmosphere& atmosphere) {
+  atmosphere_ = atmosphere;
+  const FogLightChanges changes = lights_.set_fog(atmosphere.fog);
   light_tables_.upload(lights_.kinds(), lights_.instances(), changes);
   fog_bytes_ = sizeof(FogHeader) + entries_in(changes.kinds) * sizeof(FogLightKind) +
                entries_in(changes.instances) * sizeof(FogLightInstance);
-  fog_block_.upload(pack_fog_header(fog, scene_.environment.ambient_fog_color, 0));
+  fog_block_.upload(pack_fog_header(atmosphere, 0));
   surfaces_.set_fog();
   const bool has_shafts = settings_.shadows == Shadows::shafts;
-  planner_.set_fog(fog, !fog_lights(lights_, Skipping::on).empty(),
-                   has_shafts ? shadows_->caster_of_lights() : std::span<const std::int32_t>());
+  planner_.set_atmosphere(atmosphere, !fog_lights(lights_, Skipping::on).empty(),
+                          has_shafts ? shadows_->caster_of_lights() : std::span<const std::int32_t>());
 }
 
 Exposure Renderer::set_exposure(const Exposure& exposure) {
@@ -147,7 +147,8 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
 }
 
 View Renderer::view() const {
-  return view_of(relative_to(lights_.origin(), scene_.camera), {width(), height()});
+  return view_of(relative_to(lights_.origin(), scene_.camera), {width(), height()},
+                 atmosphere_.top - scene_.camera.position.y);
 }
 
 FrameView Renderer::frame_view(const View& view, const FrameExposures& exposures) const {
@@ -232,10 +233,10 @@ FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints l
   if (shadows_) shadows_->bind();
   clock.end(&StageTimes::surfaces);
   sampler_states_.set(framebuffer_);
-  if (airlight_) airlight_->far.draw({width(), height()}, view, fog_.mode);
+  if (airlight_) airlight_->far.draw({width(), height()}, view, atmosphere_);
   clock.end(&StageTimes::airlight);
   sampler_states_.set(framebuffer_);
-  begin_frame(framebuffer_, scene_.environment.ambient_fog_color);  // SkyDrawing::background
+  begin_frame(framebuffer_, atmosphere_.ambient_fog_color);  // SkyDrawing::background
   Interruption interruption(is_unwanted_);
   counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view, shadows(), interruption);
   if (interruption.has_come()) {
@@ -287,7 +288,8 @@ void Renderer::draw_pane_geometry(const GeometryBuffer& geometry, int layer) {
 }
 
 std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan) {
-  const auto airlight = airlight_ ? std::optional(PaneAirlight{airlight_->lights, airlight_->far}) : std::nullopt;
+  const auto airlight =
+      airlight_ ? std::optional(PaneAirlight{atmosphere_.phase, airlight_->lights, airlight_->far}) : std::nullopt;
   Compositor::begin_panes();
   const std::size_t bytes =
       surfaces_.draw_panes(*settings_.path, plan, view, shadows(), airlight ? &*airlight : nullptr);
@@ -297,9 +299,12 @@ std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan) {
 
 void Renderer::draw_airlight(const View& view, double exposure, Interruption& interruption) {
   airlight_->seen.draw(framebuffer_, view);
-  airlight_->pyramid.draw(
-      {.lights = airlight_->lights, .seen = airlight_->seen, .view = view, .fog_mode = fog_.mode, .exposure = exposure},
-      interruption);
+  airlight_->pyramid.draw({.lights = airlight_->lights,
+                           .seen = airlight_->seen,
+                           .view = view,
+                           .atmosphere = atmosphere_,
+                           .exposure = exposure},
+                          interruption);
   compositor_.add_airlight(framebuffer_, airlight_->pyramid.airlight(), airlight_->far, airlight_->seen, has_panes());
 }
 

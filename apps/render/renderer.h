@@ -33,9 +33,8 @@ enum class LightPoints { on, off };
 /// Whether light of a picture reaches the end of half floats, at which a frame of one pass is cut off.
 bool is_cut_off(const Picture& picture);
 
-/// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera may
-/// change from frame to frame, but lamps that cast shadows are chosen as set_lights() finds it. So may the fog's top,
-/// asymmetry and colour, and the sky, before set_fog().
+/// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera and sky
+/// may change from frame to frame, but lamps that cast shadows are chosen as set_lights() finds the camera.
 ///
 /// Scenes are in doubles, shaders in floats. All that they take is relative to origin(), so that pictures are as exact
 /// 10,000 km from the world's origin as at it. A camera that goes on for kilometres makes set_lights() anew.
@@ -62,11 +61,11 @@ class Renderer {
   ///
   /// throws  gl::Unsupported as the constructor
   void set_lights();
-  /// Takes a change of the scene's ambient light or moon; set_lights(), where the moon casts shadows, and set_fog()
-  /// have to follow. The first one compiles shaders anew, in which a driver may round the last bit of a sum otherwise.
+  /// Takes a change of the scene's ambient light or moon; where the moon casts shadows, set_lights() has to follow. The
+  /// first one compiles shaders anew, in which a driver may round the last bit of a sum otherwise.
   void set_environment_light() { surfaces_.set_environment_light(); }
-  /// Takes a change of the fog: solves the carried lights and uploads what changed of them.
-  void set_fog(const Fog& fog);
+  /// Takes another atmosphere than the scene's: solves the carried lights and uploads what changed of them.
+  void set_atmosphere(const Atmosphere& atmosphere);
   /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is
   /// left out; frames themselves are not exposed. An automatic exposure is that of a frame in the present fog, drawn
   /// for it as for the largest exposure. By airlight an exposure above 0 EV moves the lights' ends outwards.
@@ -96,7 +95,7 @@ class Renderer {
   const scene::Scene& scene() const { return scene_; }
   /// Of all positions in floats: those of a geometry buffer and of shadow maps, too.
   const glm::dvec3& origin() const { return lights_.origin(); }
-  const Fog& fog() const { return fog_; }
+  const Atmosphere& atmosphere() const { return atmosphere_; }
   double exposure() const { return exposure_; }                ///< EV
   double ends_exposure() const { return lights_.exposure(); }  ///< EV, for which lights' ends are chosen (threshold_of)
   const RenderSettings& settings() const { return settings_; }
@@ -127,8 +126,8 @@ class Renderer {
     SeenRanges seen;
     AirlightPyramid pyramid;
 
-    Airlight(const scene::Scene& scene, const gl::FogLightBuffer& fog, int samples, const RenderSettings& settings)
-        : far(scene, fog), seen(scene, samples), pyramid(scene, fog, settings) {}
+    Airlight(const gl::FogLightBuffer& fog, int samples, const RenderSettings& settings)
+        : far(fog), seen(samples), pyramid(fog, settings) {}
     void set_size(glm::ivec2 size);
   };
 
@@ -147,7 +146,7 @@ class Renderer {
 
   const scene::Scene& scene_;
   RenderSettings settings_;
-  Fog fog_;
+  Atmosphere atmosphere_;
   std::function<bool()> is_unwanted_;
   double exposure_ = 0;
   std::size_t fog_bytes_ = 0;  // uploaded by the last change of the fog

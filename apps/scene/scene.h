@@ -4,14 +4,13 @@
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
-#include <limits>
 #include <map>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "litfog/atmosphere.h"
 #include "litfog/light.h"
-#include "litfog/phase.h"
 #include "litfog/photometry/cookie.h"
 #include "scene/camera.h"
 #include "scene/light_frame.h"
@@ -30,12 +29,13 @@ inline constexpr double kMaxColor = 1e4;                 ///< a framebuffer's ha
 /// What lights a scene besides its lamps. Colours are linear RGB.
 struct Environment {
   glm::vec3 ambient_light{0.0f};
-  glm::vec3 ambient_fog_color{0.0f};
   glm::vec3 sky_zenith{0.0f};
   glm::vec3 sky_horizon{0.0f};
   float star_brightness = 0.0f;
   glm::vec3 moon_direction{0.0f, 1.0f, 0.0f};  ///< unit, towards the moon
   glm::vec3 moon_color{0.0f};                  ///< of its light on surfaces; 0 is no moon
+
+  friend bool operator==(const Environment&, const Environment&) = default;
 
   bool has_moon() const { return moon_color != glm::vec3(0.0f); }
 };
@@ -90,8 +90,7 @@ struct Scene {
   std::map<std::size_t, double> turn_rates;      ///< of lights whose axes turn about +Y: radians a second
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
   bool is_lit_at_vertices = false;  ///< it shows what tessellation does: the gallery draws it by the path `vertex`
-  double fog_top = std::numeric_limits<double>::infinity();  ///< height at which rays to the sky leave the fog, metres
-  Phase phase = {};                                          ///< of the fog
+  Atmosphere atmosphere;            ///< its fog is clear air: the visibility is chosen where the scene is drawn
 };
 
 /// Largest time: a cookie or light of ten turns a second is then still in place to a thousandth of a degree.

@@ -31,9 +31,8 @@ class KeptRenderer {
     }
     camera_ = order.camera;
     lights_ = order.lights;
-    const Fog fog = options.fog_at(options.visibility_in(scene));
-    if (fog != renderer_->fog() || scene.phase != phase_) renderer_->set_fog(fog);
-    phase_ = scene.phase;
+    const Atmosphere atmosphere = options.atmosphere_of(scene, options.visibility_in(scene));
+    if (atmosphere != renderer_->atmosphere()) renderer_->set_atmosphere(atmosphere);
   }
 
   /// is_unwanted  Renderer::interrupt_when
@@ -61,7 +60,6 @@ class KeptRenderer {
   std::optional<render::Renderer> renderer_;
   scene::Camera camera_;
   std::shared_ptr<const std::vector<PlacedLight>> lights_;
-  Phase phase_;
   std::optional<double> chosen_;  // the last automatic exposure
 };
 
@@ -110,7 +108,6 @@ std::string PictureMaker::gl_renderer() const {
 
 void PictureMaker::work(scene::Scene scene) try {
   const gl::HeadlessContext context;
-  const Phase own_phase = scene.phase;
   std::shared_ptr<const std::vector<PlacedLight>> lights;
   std::deque<KeptRenderer> renderers;  // which resizing does not move
   std::unique_lock lock(mutex_);
@@ -132,7 +129,6 @@ void PictureMaker::work(scene::Scene scene) try {
     try {
       for (std::size_t i = 0; i < renderers.size(); ++i) {
         const drawing::DrawingOptions& options = order.settings[i];
-        scene.phase = options.phase.value_or(own_phase);
         renderers[i].set(scene, order, options);
         delivery.pictures.push_back(renderers[i].draw(options.display.display_for(scene), order.is_sketch,
                                                       [this, &order] { return is_unwanted(order); }));

@@ -6,10 +6,9 @@
 #include <optional>
 #include <span>
 
+#include "litfog/atmosphere.h"
 #include "litfog/attenuation.h"
-#include "litfog/fog.h"
 #include "litfog/light.h"
-#include "litfog/phase.h"
 #include "litfog/value_error.h"
 
 namespace litfog {
@@ -19,15 +18,6 @@ enum class LampLeg {
   clear,  ///< k = 0: nothing is lost on it, as in Hales's model, which knows the eye's leg only
   fogged  ///< k = 1: the fog factor f(r) is lost on it (single scattering)
 };
-
-/// How fog scatters light into the eye.
-struct Scattering {
-  LampLeg lamp_leg = LampLeg::fogged;
-  Phase phase = {};
-};
-
-/// What is wrong with it, or nothing.
-std::optional<ValueError> check(const Scattering& scattering);
 
 /// A ray from the eye to what it sees. World space, metres.
 struct EyeRay {
@@ -65,16 +55,17 @@ inline constexpr double kDimAirlight = 1e-10;
 /// light's extent. The phase function is divided by its isotropic value.
 ///
 /// light      its extent is that of its threshold; its class sees the fog at its density scale
-/// fog        of the scene
+/// atmosphere of the scene; rays end at its top, if they do, by their lengths
 /// returns    [0, 1] in isotropic fog; up to largest_phase() else
 /// max error  kAirlightMaxError, mostly kAirlightTypicalError, for |g| <= 0.9                       (airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
-double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering = {});
+double airlight(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray,
+                LampLeg lamp_leg = LampLeg::fogged);
 
 /// The same along many rays. Columns of different lengths are a bug of the caller's and assert.
 ///
 /// throws     std::invalid_argument naming field, value and rule, before any result is written
-void airlight(const PlacedLight& light, const Fog& fog, std::span<const EyeRay> rays, const Scattering& scattering,
+void airlight(const PlacedLight& light, const Atmosphere& atmosphere, std::span<const EyeRay> rays, LampLeg lamp_leg,
               std::span<double> airlights);
 
 /// Largest error of reference_airlight for |g| up to 0.99: this fraction of the airlight, or of a spot 1e-19 of its
@@ -88,8 +79,8 @@ inline constexpr double kGrazingReferenceAirlightError = 1e-18;
 ///
 /// max error  kReferenceAirlightMaxError                                                            (airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
-double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray,
-                          const Scattering& scattering = {});
+double reference_airlight(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray,
+                          LampLeg lamp_leg = LampLeg::fogged);
 
 /// What the airlight of a light cannot exceed along any ray from the eye that leaves within an angle of an axis,
 /// however long: for skipping a light for a tile of the picture, or for all of it.
@@ -111,8 +102,8 @@ double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay
 /// half_angle  radians, [0, pi]; pi is all rays
 /// returns     never below the airlight, exact or by reference_airlight                             (airlight_test.cpp)
 /// throws      std::invalid_argument naming field, value and rule
-double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const glm::dvec3& direction,
-                      double half_angle, const Scattering& scattering = {});
+double bound_airlight(const PlacedLight& light, const Atmosphere& atmosphere, const glm::dvec3& eye,
+                      const glm::dvec3& direction, double half_angle, LampLeg lamp_leg = LampLeg::fogged);
 
 /// The range beyond which a light is visible on no surface and in no fog, because a(r) f(r)^k stays below a budget. The
 /// lit part of the scene lies in the sphere of this radius around the light.

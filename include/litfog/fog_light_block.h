@@ -7,7 +7,7 @@
 #include <glm/vec4.hpp>
 #include <span>
 
-#include "litfog/fog.h"
+#include "litfog/atmosphere.h"
 #include "litfog/light.h"
 #include "litfog/solve.h"
 
@@ -69,17 +69,16 @@ FogLightInstance pack_fog_light_instance(const PlacedLight& light, std::size_t k
 
 /// An infinite density is stored as the largest float.
 ///
-/// ambient_fog_color  linear RGB, finite, >= 0
-/// instances          of the block, which shaders go through: at most kMaxFogLights; 0 if all lights are in buffers
-/// throws             std::invalid_argument naming field, value and rule
-FogHeader pack_fog_header(const Fog& fog, const glm::dvec3& ambient_fog_color, std::size_t instances);
+/// instances  of the block, which shaders go through: at most kMaxFogLights; 0 if all lights are in buffers
+/// throws     std::invalid_argument naming field, value and rule
+FogHeader pack_fog_header(const Atmosphere& atmosphere, std::size_t instances);
 
 /// The whole block from lights and their solutions, in order, each light of a kind of its own; unused entries are zero.
 /// For lights that stay as they are; others are a FogUpdater's (litfog/updater.h).
 ///
 /// throws  std::invalid_argument as pack_fog_header; also for more than kMaxFogLights lights, or not one solution a
 ///         light
-FogLightBlock pack_fog_light_block(const Fog& fog, const glm::dvec3& ambient_fog_color,
-                                   std::span<const PlacedLight> lights, std::span<const FogIntensity> solutions);
+FogLightBlock pack_fog_light_block(const Atmosphere& atmosphere, std::span<const PlacedLight> lights,
+                                   std::span<const FogIntensity> solutions);
 
 }  // namespace litfog

@@ -21,18 +21,19 @@ namespace {
 using airlight_text::NoCookie;
 using airlight_text::Text;
 
-void require_all(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
+void require_all(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray) {
   require(check(light));
-  require(check(fog));
+  require(check(atmosphere));
   require(check(ray));
-  require(check(scattering));
 }
 
 /// A light in the fog of its class, and what of it is the same for all rays.
 struct SeenLight {
-  SeenLight(const PlacedLight& placed, const Fog& fog)
+  SeenLight(const PlacedLight& placed, const Atmosphere& atmosphere, LampLeg leg)
       : light(placed),
-        class_fog(unchecked::scaled(fog, placed.light.density_scale)),
+        class_fog(unchecked::scaled(atmosphere.fog, placed.light.density_scale)),
+        phase(atmosphere.phase),
+        lamp_leg(leg),
         extent(unchecked::compute_extent(placed.light.attenuation, placed.light.threshold)) {}
 
   /// Whether no product of the fast form leaves double's range.
@@ -46,24 +47,25 @@ struct SeenLight {
 
   const PlacedLight& light;
   Fog class_fog;
+  Phase phase;
+  LampLeg lamp_leg;
   double extent;
 };
 
-double exact_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering& scattering) {
+double exact_airlight(const SeenLight& seen, const EyeRay& ray) {
   using Exact = Text<long double, NoCookie>;
   const Light& light = seen.light.light;
   const long double extent =
       level_range(convert<long double>(light.attenuation), static_cast<long double>(light.threshold)).high;
-  return double(integrate_airlight(Exact{NoCookie{}},
-                                   Exact::seen_along(seen.light, extent, seen.class_fog, ray, scattering.lamp_leg,
-                                                     convert<long double>(scattering.phase))));
+  return double(integrate_airlight(
+      Exact{NoCookie{}},
+      Exact::seen_along(seen.light, extent, seen.class_fog, ray, seen.lamp_leg, convert<long double>(seen.phase))));
 }
 
-double fast_airlight(const SeenLight& seen, const EyeRay& ray, const Scattering& scattering) {
-  if (!seen.is_ordinary()) return exact_airlight(seen, ray, scattering);
+double fast_airlight(const SeenLight& seen, const EyeRay& ray) {
+  if (!seen.is_ordinary()) return exact_airlight(seen, ray);
   Text<double, NoCookie> text{NoCookie{}};
-  return text.litfog_airlight(
-      text.seen_along(seen.light, seen.extent, seen.class_fog, ray, scattering.lamp_leg, scattering.phase));
+  return text.litfog_airlight(text.seen_along(seen.light, seen.extent, seen.class_fog, ray, seen.lamp_leg, seen.phase));
 }
 
 /// axial_airlight of checked arguments, beyond the plateau panel by panel, each eight times as long as the one before.
@@ -98,8 +100,6 @@ long double integrate_axially(const Attenuation& narrow, const Fog& fog, double 
 
 }  // namespace
 
-std::optional<ValueError> check(const Scattering& scattering) { return check(scattering.phase); }
-
 std::optional<ValueError> check(const EyeRay& ray) {
   if (const auto error = check_position(ray.origin, {"origin.x", "origin.y", "origin.z"})) return error;
   if (const auto error = check_direction(ray.direction, "direction")) return error;
@@ -107,38 +107,37 @@ std::optional<ValueError> check(const EyeRay& ray) {
   return std::nullopt;
 }
 
-double airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
-  require_all(light, fog, ray, scattering);
-  return fast_airlight(SeenLight(light, fog), ray, scattering);
+double airlight(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg) {
+  require_all(light, atmosphere, ray);
+  return fast_airlight(SeenLight(light, atmosphere, lamp_leg), ray);
 }
 
-void airlight(const PlacedLight& light, const Fog& fog, std::span<const EyeRay> rays, const Scattering& scattering,
+void airlight(const PlacedLight& light, const Atmosphere& atmosphere, std::span<const EyeRay> rays, LampLeg lamp_leg,
               std::span<double> airlights) {
   assert(rays.size() == airlights.size());
   require(check(light));
-  require(check(fog));
-  require(check(scattering));
+  require(check(atmosphere));
   for (const EyeRay& ray : rays) require(check(ray));
-  const SeenLight seen(light, fog);
+  const SeenLight seen(light, atmosphere, lamp_leg);
   std::transform(rays.begin(), rays.end(), airlights.begin(),
-                 [&](const EyeRay& ray) { return fast_airlight(seen, ray, scattering); });
+                 [&](const EyeRay& ray) { return fast_airlight(seen, ray); });
 }
 
-double reference_airlight(const PlacedLight& light, const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
-  require_all(light, fog, ray, scattering);
-  return exact_airlight(SeenLight(light, fog), ray, scattering);
+double reference_airlight(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg) {
+  require_all(light, atmosphere, ray);
+  return exact_airlight(SeenLight(light, atmosphere, lamp_leg), ray);
 }
 
-double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const glm::dvec3& direction,
-                      double half_angle, const Scattering& scattering) {
+double bound_airlight(const PlacedLight& light, const Atmosphere& atmosphere, const glm::dvec3& eye,
+                      const glm::dvec3& direction, double half_angle, LampLeg lamp_leg) {
   constexpr double kMargin = 1e-12;
   const double largest_slope = std::sqrt(2 / std::numbers::e);  // of 1 - e^-(x^2)
-  require_all(light, fog, {eye, direction}, scattering);
+  require_all(light, atmosphere, {eye, direction});
   if (!is_within(half_angle, 0, std::numbers::pi)) {
     require(ValueError{"half_angle", half_angle, "must be in [0, pi]"});
   }
   const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold) * (1 + kMargin);
-  const Fog class_fog = unchecked::scaled(fog, light.light.density_scale);
+  const Fog class_fog = unchecked::scaled(atmosphere.fog, light.light.density_scale);
   const double density = class_fog.density;
   if (density == 0 || extent == 0) return 0;
 
@@ -155,9 +154,9 @@ double bound_airlight(const PlacedLight& light, const Fog& fog, const glm::dvec3
   const double opacity = class_fog.mode == FogMode::exp
                              ? fog_factor_at(class_fog, start) * opacity_at(class_fog, chord)
                              : std::min(fog_factor_at(class_fog, start), chord * density * largest_slope);
-  const double lamp_leg = scattering.lamp_leg == LampLeg::fogged ? fog_factor_at(class_fog, closest) : 1;
+  const double lit = lamp_leg == LampLeg::fogged ? fog_factor_at(class_fog, closest) : 1;
   // One subnormal more: the products may be rounded down to 0.
-  return largest_phase(scattering.phase) * attenuation_at(light.light.attenuation, closest) * opacity * lamp_leg *
+  return largest_phase(atmosphere.phase) * attenuation_at(light.light.attenuation, closest) * opacity * lit *
              (1 + 8 * kMargin) +
          std::numeric_limits<double>::denorm_min();
 }

@@ -19,15 +19,13 @@ LampLeg lamp_leg(int32_t leg) {
 
 }  // namespace
 
-litfog_status litfog_airlight(const litfog_placed_light* light, const litfog_fog* fog, const litfog_eye_ray* rays,
-                              size_t count, const litfog_scattering* scattering, double* airlights) {
+litfog_status litfog_airlight(const litfog_placed_light* light, const litfog_atmosphere* atmosphere,
+                              const litfog_eye_ray* rays, size_t count, int32_t leg, double* airlights) {
   return c::call([&] {
-    if (scattering != nullptr) lamp_leg(scattering->lamp_leg);
     const std::span<const litfog_eye_ray> from = c::array(rays, count, "rays");
     const std::span<double> results = c::array(airlights, count, "airlights");
     c::expect_apart(std::array{c::Column(results, "airlights")}, std::array{c::Column(from, "rays")});
-    airlight(c::placed_light(light), c::fog(fog), c::view_as_cpp(from),
-             scattering == nullptr ? Scattering{} : c::to_cpp(*scattering), results);
+    airlight(c::placed_light(light), c::atmosphere(atmosphere), c::view_as_cpp(from), lamp_leg(leg), results);
   });
 }
 

@@ -25,6 +25,11 @@ Fog fog(const litfog_fog* fog) {
   return to_cpp(*fog);
 }
 
+Atmosphere atmosphere(const litfog_atmosphere* atmosphere) {
+  fog_mode(at(atmosphere, "atmosphere").fog.mode);
+  return to_cpp(*atmosphere);
+}
+
 Light light(const litfog_light* light) {
   require_enumerator(at(light, "light").cone.profile, int(kConeProfiles.size()), "cone.profile");
   return {.name = {},

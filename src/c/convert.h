@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "litfog/atmosphere.h"
 #include "litfog/c/litfog.h"
-#include "litfog/fog.h"
 #include "litfog/light.h"
 
 // A caller's structs as C++ has them. Numbers that are no enumerator throw std::invalid_argument; all other rules are
@@ -22,6 +22,7 @@ void require_enumerator(std::int32_t value, int count, const char* name);
 
 FogMode fog_mode(std::int32_t mode);
 Fog fog(const litfog_fog* fog);
+Atmosphere atmosphere(const litfog_atmosphere* atmosphere);
 Light light(const litfog_light* light);
 PlacedLight placed_light(const litfog_placed_light* light);
 

@@ -12,27 +12,23 @@
 
 using namespace litfog;
 
-litfog_status litfog_pack_fog_header(const litfog_fog* fog, const double* ambient_fog_color, size_t instances,
-                                     litfog_fog_header* header) {
+litfog_status litfog_pack_fog_header(const litfog_atmosphere* atmosphere, size_t instances, litfog_fog_header* header) {
   return c::call([&] {
-    c::at(header, "header") = c::to_c<litfog_fog_header>(
-        pack_fog_header(c::fog(fog), c::vector(ambient_fog_color, "ambient_fog_color"), instances));
+    c::at(header, "header") = c::to_c<litfog_fog_header>(pack_fog_header(c::atmosphere(atmosphere), instances));
   });
 }
 
-litfog_status litfog_pack_fog_light_block(const litfog_fog* fog, const double* ambient_fog_color,
-                                          const litfog_placed_light* lights, size_t count,
-                                          litfog_fog_light_block* block) {
+litfog_status litfog_pack_fog_light_block(const litfog_atmosphere* atmosphere, const litfog_placed_light* lights,
+                                          size_t count, litfog_fog_light_block* block) {
   return c::call([&] {
     require_fog_light_count("count", count);  // before any light is read
-    const Fog in = c::fog(fog);
+    const Atmosphere in = c::atmosphere(atmosphere);
     std::vector<PlacedLight> placed;
     std::vector<FogIntensity> solutions;
     for (const litfog_placed_light& light : c::array(lights, count, "lights")) {
       placed.push_back(c::placed_light(&light));
-      solutions.push_back(solve_fog_intensity(placed.back().light, in));
+      solutions.push_back(solve_fog_intensity(placed.back().light, in.fog));
     }
-    c::at(block, "block") = c::to_c<litfog_fog_light_block>(
-        pack_fog_light_block(in, c::vector(ambient_fog_color, "ambient_fog_color"), placed, solutions));
+    c::at(block, "block") = c::to_c<litfog_fog_light_block>(pack_fog_light_block(in, placed, solutions));
   });
 }

@@ -7,6 +7,7 @@
 #include <type_traits>
 
 #include "litfog/airlight.h"
+#include "litfog/atmosphere.h"
 #include "litfog/batch.h"
 #include "litfog/c/litfog.h"
 #include "litfog/cone.h"
@@ -15,7 +16,6 @@
 #include "litfog/light.h"
 #include "litfog/light_bounds.h"
 #include "litfog/light_clusters.h"
-#include "litfog/phase.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
 #include "litfog/view_frustum.h"
@@ -61,9 +61,11 @@ LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, status);
 LITFOG_COUNTERPART(litfog_phase, Phase);
 LITFOG_MEMBER(litfog_phase, Phase, asymmetry);
 
-LITFOG_COUNTERPART(litfog_scattering, Scattering);
-LITFOG_MEMBER(litfog_scattering, Scattering, lamp_leg);
-LITFOG_MEMBER(litfog_scattering, Scattering, phase);
+LITFOG_COUNTERPART(litfog_atmosphere, Atmosphere);
+LITFOG_MEMBER(litfog_atmosphere, Atmosphere, fog);
+LITFOG_MEMBER(litfog_atmosphere, Atmosphere, phase);
+LITFOG_MEMBER(litfog_atmosphere, Atmosphere, top);
+LITFOG_MEMBER(litfog_atmosphere, Atmosphere, ambient_fog_color);
 
 LITFOG_COUNTERPART(litfog_eye_ray, EyeRay);
 LITFOG_MEMBER(litfog_eye_ray, EyeRay, origin);

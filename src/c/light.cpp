@@ -52,6 +52,10 @@ litfog_status litfog_check_fog(const litfog_fog* fog) {
   return c::call([&] { require(check(c::fog(fog))); });
 }
 
+litfog_status litfog_check_atmosphere(const litfog_atmosphere* atmosphere) {
+  return c::call([&] { require(check(c::atmosphere(atmosphere))); });
+}
+
 litfog_status litfog_check_light(const litfog_light* light) {
   return c::call([&] { require(check(c::light(light))); });
 }

@@ -44,35 +44,34 @@ struct CookieOnRay {
 };
 
 template <typename Real, typename Evaluate>
-double evaluate(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world, const Fog& fog,
-                const EyeRay& ray, const Scattering& scattering, const Evaluate& evaluate_text) {
+double evaluate(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
+                const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg, const Evaluate& evaluate_text) {
   require(check(light));
-  require(check(fog));
+  require(check(atmosphere));
   require(check(ray));
-  require(check(scattering));
   const glm::dvec3 direction = glm::normalize(ray.direction);
   const glm::dvec3 to_light = light.position - ray.origin;
   const CookieOnRay on_ray{cookie, cookie_from_world * (glm::dot(to_light, direction) * direction - to_light),
                            cookie_from_world * direction};
   Text<Real, CookieOnRay> text{on_ray};
   const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold);
-  auto air = text.seen_along(light, Real(extent), unchecked::scaled(fog, light.light.density_scale), ray,
-                             scattering.lamp_leg, convert<Real>(scattering.phase));
+  auto air = text.seen_along(light, Real(extent), unchecked::scaled(atmosphere.fog, light.light.density_scale), ray,
+                             lamp_leg, convert<Real>(atmosphere.phase));
   air.profile = Real(LITFOG_PROFILE_COOKIE);
   return double(std::isinf(air.density) ? text.at_the_eye(air) : evaluate_text(text, air));
 }
 
 }  // namespace
 
-double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world, const Fog& fog,
-                const EyeRay& ray, const Scattering& scattering) {
-  return evaluate<double>(light, cookie, cookie_from_world, fog, ray, scattering,
+double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
+                const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg) {
+  return evaluate<double>(light, cookie, cookie_from_world, atmosphere, ray, lamp_leg,
                           [](auto& text, const auto& air) { return text.litfog_airlight(air); });
 }
 
 double reference_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
-                          const Fog& fog, const EyeRay& ray, const Scattering& scattering) {
-  return evaluate<long double>(light, cookie, cookie_from_world, fog, ray, scattering,
+                          const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg) {
+  return evaluate<long double>(light, cookie, cookie_from_world, atmosphere, ray, lamp_leg,
                                [](auto& text, const auto& air) { return integrate_airlight(text, air); });
 }
 

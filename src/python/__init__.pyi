@@ -79,6 +79,19 @@ class Fog:
     @staticmethod
     def from_visibility(mode: FogMode, metres: float, contrast: float = ...) -> Fog: ...
 
+class Phase:
+    asymmetry: float
+    def __init__(self, asymmetry: float = 0.0) -> None: ...
+
+class Atmosphere:
+    fog: Fog
+    phase: Phase
+    top: float
+    ambient_fog_color: Sequence[float]
+    def __init__(
+        self, fog: Fog = ..., phase: Phase = ..., top: float = ..., ambient_fog_color: Sequence[float] = ...
+    ) -> None: ...
+
 class Attenuation:
     constant: float
     linear: float
@@ -165,15 +178,6 @@ class BatchSolutions:
     def status(self) -> Any: ...
     @property
     def invalid_count(self) -> int: ...
-
-class Phase:
-    asymmetry: float
-    def __init__(self, asymmetry: float = 0.0) -> None: ...
-
-class Scattering:
-    lamp_leg: LampLeg
-    phase: Phase
-    def __init__(self, lamp_leg: LampLeg = ..., phase: Phase = ...) -> None: ...
 
 class FogLightHandle: ...
 
@@ -322,9 +326,9 @@ def solve_fog_intensities(
 ) -> BatchSolutions: ...
 def airlight(
     light: PlacedLight,
-    fog: Fog,
+    atmosphere: Atmosphere,
     rays: NDArray[np.void],
-    scattering: Scattering = ...,
+    lamp_leg: LampLeg = ...,
     *,
     out: NDArray[np.float64] | None = None,
 ) -> NDArray[np.float64]: ...

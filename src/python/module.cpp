@@ -319,7 +319,7 @@ static_assert(sizeof(EyeRay) == 7 * sizeof(double) && offsetof(EyeRay, direction
 py::dtype eye_ray_dtype() { return make_dtype({{"origin", "f8", 3}, {"direction", "f8", 3}, {"length", "f8", 1}}); }
 
 /// light and fog by value: other threads may change the caller's while this one runs.
-py::array airlights_of(PlacedLight light, Fog fog, const py::object& rays, Scattering scattering,
+py::array airlights_of(PlacedLight light, const Atmosphere& atmosphere, const py::object& rays, LampLeg lamp_leg,
                        const py::object& out) {
   const py::array ray_array = take_array(rays, "rays", eye_ray_dtype(), false);
   const std::vector<py::ssize_t> shape{ray_array.shape(), ray_array.shape() + ray_array.ndim()};
@@ -334,8 +334,9 @@ py::array airlights_of(PlacedLight light, Fog fog, const py::object& rays, Scatt
   overlaps.add(airlights, "out", true);
   const std::span rays_read(static_cast<const EyeRay*>(ray_array.data()), std::size_t(ray_array.size()));
   const std::span results(static_cast<double*>(airlights.mutable_data()), rays_read.size());
+  const Atmosphere air = atmosphere;  // which another thread may change
   const py::gil_scoped_release released;
-  airlight(light, fog, rays_read, scattering, results);
+  airlight(light, air, rays_read, lamp_leg, results);
   return airlights;
 }
 
@@ -426,6 +427,22 @@ void bind_lights(py::module_& m) {
                   "The fog of a visibility: metres >= 0, infinity is no fog; contrast in (0, 1) is what is left of a\n"
                   "dark object's contrast at that range. ValueError with field, value and rule.");
   make_record(fog, {"mode", "density"});
+  py::class_<Phase> phase(m, "Phase", "A phase function, Henyey and Greenstein's. asymmetry: g, in (-1, 1).");
+  phase.def(py::init([](double asymmetry) { return Phase{asymmetry}; }), py::arg("asymmetry") = 0.)
+      .def_readwrite("asymmetry", &Phase::asymmetry, "(-1, 1); 0 is isotropic, > 0 forward");
+  make_record(phase, {"asymmetry"});
+  py::class_<Atmosphere> atmosphere(m, "Atmosphere", "All that the air is.");
+  atmosphere
+      .def(py::init([](const Fog& air_fog, const Phase& air_phase, double top, const glm::dvec3& ambient_fog_color) {
+             return Atmosphere{air_fog, air_phase, top, ambient_fog_color};
+           }),
+           py::arg("fog") = Fog{}, py::arg("phase") = Phase{}, py::arg("top") = Atmosphere{}.top,
+           py::arg("ambient_fog_color") = glm::dvec3(0))
+      .def_readwrite("fog", &Atmosphere::fog, "Fog")
+      .def_readwrite("phase", &Atmosphere::phase, "Phase")
+      .def_readwrite("top", &Atmosphere::top, "metres: height at which rays to the sky leave the fog")
+      .def_readwrite("ambient_fog_color", &Atmosphere::ambient_fog_color, "linear RGB, finite, >= 0");
+  make_record(atmosphere, {"fog", "phase", "top", "ambient_fog_color"});
   m.def(
       "density_from_visibility",
       [](FogMode mode, const py::object& metres, double contrast) {
@@ -622,24 +639,10 @@ void bind_airlight(py::module_& m) {
   py::enum_<LampLeg>(m, "LampLeg", "A light's own leg through the fog, from the lamp to where it is scattered.")
       .value("clear", LampLeg::clear, "nothing is lost on it, as in Hales's model")
       .value("fogged", LampLeg::fogged, "the fog factor is lost on it (single scattering)");
-  py::class_<Phase> phase(m, "Phase", "A phase function, Henyey and Greenstein's. asymmetry: g, in (-1, 1).");
-  phase.def(py::init([](double asymmetry) { return Phase{asymmetry}; }), py::arg("asymmetry") = 0.)
-      .def_readwrite("asymmetry", &Phase::asymmetry, "(-1, 1); 0 is isotropic, > 0 forward");
-  make_record(phase, {"asymmetry"});
-  py::class_<Scattering> scattering(m, "Scattering", "How fog scatters light into the eye.");
-  scattering
-      .def(py::init([](LampLeg lamp_leg, const Phase& of_fog) {
-             return Scattering{lamp_leg, of_fog};
-           }),
-           py::arg("lamp_leg") = LampLeg::fogged, py::arg("phase") = Phase{})
-      .def_readwrite("lamp_leg", &Scattering::lamp_leg, "LampLeg")
-      .def_readwrite("phase", &Scattering::phase, "Phase");
-  make_record(scattering, {"lamp_leg", "phase"});
-
   m.attr("EYE_RAY") = eye_ray_dtype();
   m.def(
-      "airlight", &airlights_of, py::arg("light"), py::arg("fog"), py::arg("rays"),
-      py::arg("scattering") = Scattering(), py::kw_only(), py::arg("out") = py::none(),
+      "airlight", &airlights_of, py::arg("light"), py::arg("atmosphere"), py::arg("rays"),
+      py::arg("lamp_leg") = LampLeg::fogged, py::kw_only(), py::arg("out") = py::none(),
       "Airlight of a PlacedLight along rays from the eye: what of it the fog scatters into the eye, to be multiplied\n"
       "with its colour. rays: contiguous array of dtype EYE_RAY and any shape, read where it lies; direction is unit,\n"
       "length is metres to the surface or infinity. Returns out, or a new float64 array of the same shape. Errs by at\n"

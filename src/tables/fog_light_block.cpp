@@ -49,22 +49,22 @@ FogLightInstance pack_fog_light_instance(const PlacedLight& light, std::size_t k
   return unchecked::pack_fog_light_instance(light, kind);
 }
 
-FogHeader pack_fog_header(const Fog& fog, const glm::dvec3& ambient_fog_color, std::size_t instances) {
-  require(check(fog));
-  require(check_color(ambient_fog_color, {"ambient_fog_color.r", "ambient_fog_color.g", "ambient_fog_color.b"}));
+FogHeader pack_fog_header(const Atmosphere& atmosphere, std::size_t instances) {
+  require(check(atmosphere));
   require_fog_light_count("instances", instances);
+  const Fog& fog = atmosphere.fog;
   return {.fog = {finite_float(fog.density), fog.mode == FogMode::exp2 ? 1.0f : 0.0f, float(instances), 0.0f},
-          .ambient_fog_color = glm::vec4(finite_floats(ambient_fog_color), 0.0f)};
+          .ambient_fog_color = glm::vec4(finite_floats(atmosphere.ambient_fog_color), 0.0f)};
 }
 
-FogLightBlock pack_fog_light_block(const Fog& fog, const glm::dvec3& ambient_fog_color,
-                                   std::span<const PlacedLight> lights, std::span<const FogIntensity> solutions) {
+FogLightBlock pack_fog_light_block(const Atmosphere& atmosphere, std::span<const PlacedLight> lights,
+                                   std::span<const FogIntensity> solutions) {
   require_fog_light_count("lights", lights.size());
   if (solutions.size() != lights.size()) {
     require(ValueError{"solutions", double(solutions.size()), "must be as many as the lights"});
   }
   FogLightBlock block{};
-  block.header = pack_fog_header(fog, ambient_fog_color, lights.size());
+  block.header = pack_fog_header(atmosphere, lights.size());
   for (std::size_t i = 0; i < lights.size(); ++i) {
     block.kinds[i] = pack_fog_light_kind(lights[i], solutions[i]);
     block.instances[i] = unchecked::pack_fog_light_instance(lights[i], i);

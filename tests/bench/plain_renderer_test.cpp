@@ -34,8 +34,8 @@ Scene bundled(const std::string& name) {
 }
 
 template <typename AnyRenderer>
-Picture draw(AnyRenderer& renderer, const Fog& fog) {
-  renderer.set_fog(fog);
+Picture draw(AnyRenderer& renderer, const Atmosphere& atmosphere) {
+  renderer.set_atmosphere(atmosphere);
   renderer.draw();
   return renderer.read();
 }
@@ -66,7 +66,8 @@ TEST_F(PlainRendererTest, PlainDrawsThePictureOfUnified) {
       PlainRenderer plain(scene, kWidth, kHeight, samples);
       Renderer unified(scene, kWidth, kHeight, {.skipping = Skipping::off, .samples = samples});
       for (const Fog& fog : fogs) {
-        const auto beyond = differing(draw(plain, fog), draw(unified, fog));
+        const auto beyond =
+            differing(draw(plain, scene.atmosphere.with(fog)), draw(unified, scene.atmosphere.with(fog)));
         EXPECT_LE(beyond.size(), most) << name << ", " << samples << " samples, the first value in pixel "
                                        << beyond.front() / 3 % kWidth << ", " << beyond.front() / 3 / kWidth;
       }

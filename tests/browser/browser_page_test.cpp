@@ -75,7 +75,7 @@ class BrowserPage : public GlTest {
     render::RenderSettings settings;
     settings.fog_lighting = fog_lighting;
     render::Renderer renderer(street, kWidth, kHeight, settings);
-    renderer.set_fog(fog);
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
     renderer.set_exposure(display.exposure);
     Pixels pixels;
     for (const float light : render::displayed(measure::shade_reference(renderer).picture, display).rgb) {
@@ -225,7 +225,7 @@ TEST_F(BrowserPage, PeakInExp2FogIsThatOfTheFormulasAlsoAtAnAutomaticExposure) {
   render::RenderSettings settings;
   settings.fog_lighting = FogLighting::peak;
   render::Renderer renderer(street, kWidth, kHeight, settings);
-  renderer.set_fog(fog);
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
   display.exposure = renderer.set_exposure({.is_auto = true});
   fmt::print("automatic exposure {} EV\n", display.exposure.ev);
   EXPECT_GT(std::abs(display.exposure.ev - 1), 0.3);

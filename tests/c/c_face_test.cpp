@@ -65,6 +65,7 @@ class CFace : public testing::Test {
  protected:
   Random random_{15};
   const litfog_fog fog_{LITFOG_FOG_EXP2, 0.002};
+  const litfog_atmosphere air_{fog_, {0}, kInfinity, {0, 0, 0}};
   const Fog cpp_fog_{FogMode::exp2, 0.002};
 };
 
@@ -88,17 +89,17 @@ TEST_F(CFace, SolvesAreThoseOfCpp) {
 }
 
 TEST_F(CFace, AirlightsAreThoseOfCpp) {
-  const litfog_scattering scattering{LITFOG_LAMP_LEG_CLEAR, {0.3}};
+  const litfog_atmosphere air{fog_, {0.3}, kInfinity, {0, 0, 0}};
   const litfog_eye_ray rays[] = {{{0, 0, 0}, {0, 0, -1}, kInfinity}, {{1, 2, 3}, {0, 1, 0}, 40}};
   for (int i = 0; i < 50; ++i) {
     const Twins twins = random_twins(random_);
     double found[2];
-    ASSERT_EQ(litfog_airlight(&twins.c, &fog_, rays, 2, &scattering, found), LITFOG_OK) << litfog_last_error();
-    const Scattering same{LampLeg::clear, {0.3}};
-    EXPECT_EQ(found[0], airlight(twins.cpp, cpp_fog_, EyeRay{}, same));
-    EXPECT_EQ(found[1], airlight(twins.cpp, cpp_fog_, {{1, 2, 3}, {0, 1, 0}, 40}, same));
-    ASSERT_EQ(litfog_airlight(&twins.c, &fog_, rays, 1, nullptr, found), LITFOG_OK);
-    EXPECT_EQ(found[0], airlight(twins.cpp, cpp_fog_, EyeRay{}));
+    ASSERT_EQ(litfog_airlight(&twins.c, &air, rays, 2, LITFOG_LAMP_LEG_CLEAR, found), LITFOG_OK) << litfog_last_error();
+    const Atmosphere same{.fog = cpp_fog_, .phase = {0.3}};
+    EXPECT_EQ(found[0], airlight(twins.cpp, same, EyeRay{}, LampLeg::clear));
+    EXPECT_EQ(found[1], airlight(twins.cpp, same, {{1, 2, 3}, {0, 1, 0}, 40}, LampLeg::clear));
+    ASSERT_EQ(litfog_airlight(&twins.c, &air, rays, 1, LITFOG_LAMP_LEG_FOGGED, found), LITFOG_OK);
+    EXPECT_EQ(found[0], airlight(twins.cpp, same, EyeRay{}));
 
     double axial, range;
     ASSERT_EQ(litfog_axial_airlight(&twins.c.light, &fog_, &axial), LITFOG_OK);
@@ -201,7 +202,7 @@ TEST_F(CFace, ColumnsOfResultsThatOverlapAnotherColumnAreRefused) {
   litfog_placed_light light;
   ASSERT_EQ(litfog_default_placed_light(&light), LITFOG_OK);
   std::vector<litfog_eye_ray> rays(2, {{0, 0, 0}, {0, 0, -1}, 9});
-  expect_refused(litfog_airlight(&light, &fog_, rays.data(), 2, nullptr, &rays[1].length),
+  expect_refused(litfog_airlight(&light, &air_, rays.data(), 2, LITFOG_LAMP_LEG_FOGGED, &rays[1].length),
                  "airlights: must not overlap rays");
   EXPECT_EQ(from, ones);
   EXPECT_EQ(to, std::vector<double>(6, 7));
@@ -220,18 +221,17 @@ TEST_F(CFace, PackedBlockIsThatOfCpp) {
     c_lights.push_back(twins.c);
     solutions.push_back(solve_fog_intensity(twins.cpp.light, cpp_fog_));
   }
-  const double ambient[] = {0.1, 0.2, 0.3};
+  const litfog_atmosphere air{fog_, {0}, kInfinity, {0.1, 0.2, 0.3}};
   litfog_fog_light_block block;
-  ASSERT_EQ(litfog_pack_fog_light_block(&fog_, ambient, c_lights.data(), c_lights.size(), &block), LITFOG_OK);
-  const FogLightBlock expected = pack_fog_light_block(cpp_fog_, {0.1, 0.2, 0.3}, lights, solutions);
+  ASSERT_EQ(litfog_pack_fog_light_block(&air, c_lights.data(), c_lights.size(), &block), LITFOG_OK);
+  const FogLightBlock expected =
+      pack_fog_light_block({.fog = cpp_fog_, .ambient_fog_color = {0.1, 0.2, 0.3}}, lights, solutions);
   EXPECT_EQ(std::memcmp(&block, &expected, sizeof expected), 0);
 
   c_lights.resize(LITFOG_MAX_FOG_LIGHTS + 1, c_lights[0]);
-  EXPECT_EQ(litfog_pack_fog_light_block(&fog_, ambient, c_lights.data(), c_lights.size(), &block),
-            LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(litfog_pack_fog_light_block(&air, c_lights.data(), c_lights.size(), &block), LITFOG_INVALID_ARGUMENT);
   EXPECT_STREQ(litfog_last_error(), "count = 201: must be at most 200");
-  EXPECT_EQ(litfog_pack_fog_light_block(&fog_, ambient, c_lights.data(), 1'000'000'000, &block),
-            LITFOG_INVALID_ARGUMENT)
+  EXPECT_EQ(litfog_pack_fog_light_block(&air, c_lights.data(), 1'000'000'000, &block), LITFOG_INVALID_ARGUMENT)
       << "and none of them is read";
 }
 
@@ -251,7 +251,7 @@ TEST_F(CFace, SizesThatNoMemoryHasAreRefusedBeforeAnythingIsRead) {
     EXPECT_TRUE(error.starts_with("size of ")) << error;
     EXPECT_NE(error.find(" = 18446744073709551615: must be at most "), error.npos) << error;
   };
-  expect_refused(litfog_airlight(&light, &fog_, &ray, kMinusOne, nullptr, &x));
+  expect_refused(litfog_airlight(&light, &air_, &ray, kMinusOne, LITFOG_LAMP_LEG_FOGGED, &x));
   expect_refused(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr));
   expect_refused(litfog_read_light("x", &light.light, &text, kMinusOne));
   expect_refused(litfog_expand_shader("", &text, kMinusOne, &length));
@@ -318,6 +318,7 @@ TEST_F(CFace, NullIsRefusedByName) {
   litfog_fog_intensity solution;
   litfog_updater* updater = nullptr;
   litfog_fog_light_changes changes;
+  const litfog_eye_ray ray{{0, 0, 0}, {0, 0, -1}, 9};
   size_t count;
   int32_t can;
   double x;
@@ -326,7 +327,8 @@ TEST_F(CFace, NullIsRefusedByName) {
       {"light", [&] { return litfog_solve(nullptr, &fog_, &solution); }},
       {"fog", [&] { return litfog_solve(&light.light, nullptr, &solution); }},
       {"solution", [&] { return litfog_solve(&light.light, &fog_, nullptr); }},
-      {"rays", [&] { return litfog_airlight(&light, &fog_, nullptr, 1, nullptr, &x); }},
+      {"rays", [&] { return litfog_airlight(&light, &air_, nullptr, 1, LITFOG_LAMP_LEG_FOGGED, &x); }},
+      {"atmosphere", [&] { return litfog_airlight(&light, nullptr, &ray, 1, LITFOG_LAMP_LEG_FOGGED, &x); }},
       {"updater", [&] { return litfog_updater_create(0.5, nullptr); }},
       {"updater", [&] { return litfog_updater_set_fog(updater, &fog_, &changes); }},
       {"frustum", [&] { return litfog_view_frustum_can_see_ball(nullptr, &x, 1, &can); }},
@@ -394,9 +396,8 @@ TEST_F(CFace, ArgumentsOutsideTheirStatedRangesAreRefused) {
   expect_refused(litfog_sample(&light.light, &fog_, 0, &solution), "samples = 0: must be >= 1");
 
   const litfog_eye_ray ray{{0, 0, 0}, {0, 0, -1}, 9};
-  const litfog_scattering scattering{2, {0}};
   double result = 7;
-  expect_refused(litfog_airlight(&light, &fog_, &ray, 1, &scattering, &result), "lamp_leg = 2: must be in [0, 1]");
+  expect_refused(litfog_airlight(&light, &air_, &ray, 1, 2, &result), "lamp_leg = 2: must be in [0, 1]");
   expect_refused(litfog_light_reach(&light.light, &fog_, 0.01, -1, &result), "lamp_leg = -1: must be in [0, 1]");
   EXPECT_EQ(result, 7);
 
@@ -475,7 +476,7 @@ TEST_F(CFace, AnyNumbersAreTakenOrRefused) {
     const litfog_fog fog{random_.below(random_.chance(0.1) ? 4 : 2), number()};
     litfog_eye_ray ray{{0, 0, 0}, {0, 0, -1}, number()};
     if (random_.chance(0.1)) fill(ray.direction);
-    const litfog_scattering scattering{random_.below(3), {random_.uniform(-1.1, 1.1)}};
+    const litfog_atmosphere air{fog, {random_.uniform(-1.1, 1.1)}, number(), {number(), 0, 0}};
 
     const bool is_light = litfog_check_light(&light.light) == LITFOG_OK;
     const bool is_placed = litfog_check_placed_light(&light) == LITFOG_OK;
@@ -491,7 +492,7 @@ TEST_F(CFace, AnyNumbersAreTakenOrRefused) {
       EXPECT_TRUE(axial >= 0 && axial <= 1) << axial;
       EXPECT_EQ(litfog_light_reach(&light.light, &fog, 0.01, LITFOG_LAMP_LEG_FOGGED, &range), LITFOG_OK);
       EXPECT_TRUE(range >= 0 && range <= solution.extent) << range;
-      if (litfog_airlight(&light, &fog, &ray, 1, &scattering, &seen) == LITFOG_OK) {
+      if (litfog_airlight(&light, &air, &ray, 1, random_.below(3), &seen) == LITFOG_OK) {
         EXPECT_TRUE(is_placed && seen >= 0) << seen;
       }
     }

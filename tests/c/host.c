@@ -45,10 +45,12 @@ static void solve(void) {
   EXPECT(sampled.intensity <= exact.intensity && sampled.intensity > exact.intensity - 0.024);
 
   double axial, ahead, reach;
+  const litfog_atmosphere air = {fog, {0}, INFINITY, {0, 0, 0}};
   litfog_eye_ray ray = {{0, 0, 0}, {0, 0, -1}, INFINITY};
+  EXPECT_OK(litfog_check_atmosphere(&air));
   EXPECT_OK(litfog_axial_airlight(&light.light, &fog, &axial));
   EXPECT(axial >= exact.intensity);
-  EXPECT_OK(litfog_airlight(&light, &fog, &ray, 1, NULL, &ahead));
+  EXPECT_OK(litfog_airlight(&light, &air, &ray, 1, LITFOG_LAMP_LEG_FOGGED, &ahead));
   EXPECT(ahead > 0 && ahead < axial);  // the lamp's own leg is fogged
   EXPECT_OK(litfog_light_reach(&light.light, &fog, 1. / 255, LITFOG_LAMP_LEG_FOGGED, &reach));
   EXPECT(reach > 0 && reach <= exact.extent);
@@ -106,15 +108,15 @@ static void update(void) {
 static void pack(void) {
   const litfog_placed_light light = landing_lamp();
   const litfog_fog fog = fog_of(1500);
-  const double ambient[] = {0.1, 0.2, 0.3};
+  const litfog_atmosphere air = {fog, {0}, INFINITY, {0.1, 0.2, 0.3}};
   litfog_fog_header header;
-  EXPECT_OK(litfog_pack_fog_header(&fog, ambient, 7, &header));
+  EXPECT_OK(litfog_pack_fog_header(&air, 7, &header));
   EXPECT(header.fog[0] == (float)fog.density && header.fog[2] == 7 && header.ambient_fog_color[1] == 0.2f);
-  EXPECT(litfog_pack_fog_header(&fog, ambient, LITFOG_MAX_FOG_LIGHTS + 1, &header) == LITFOG_INVALID_ARGUMENT);
+  EXPECT(litfog_pack_fog_header(&air, LITFOG_MAX_FOG_LIGHTS + 1, &header) == LITFOG_INVALID_ARGUMENT);
   EXPECT(header.fog[2] == 7);
   litfog_fog_light_block* block = malloc(sizeof *block);
   EXPECT(block != NULL);
-  EXPECT_OK(litfog_pack_fog_light_block(&fog, ambient, &light, 1, block));
+  EXPECT_OK(litfog_pack_fog_light_block(&air, &light, 1, block));
   EXPECT(block->header.fog[2] == 1 && block->kinds[0].cone_scale_intensity[3] > 0.09f);
   free(block);
 }

@@ -44,7 +44,7 @@ class Definition {
   using PhaseFunction = std::function<Real(Real cosine)>;
 
   explicit Definition(const AirlightCase& c)
-      : Definition(c, [g = Real(c.scattering.phase.asymmetry)](Real cosine) {
+      : Definition(c, [g = Real(c.atmosphere.phase.asymmetry)](Real cosine) {
           return (1 - g * g) / std::pow(1 + g * g - 2 * g * cosine, 1.5L);
         }) {}
 
@@ -54,11 +54,11 @@ class Definition {
         phase_(std::move(phase)),
         direction_(glm::normalize(Vector(c.ray.direction))),
         axis_(glm::normalize(Vector(c.light.direction))),
-        density_(Real(c.fog.density) * Real(c.light.light.density_scale)) {}
+        density_(Real(c.atmosphere.fog.density) * Real(c.light.light.density_scale)) {}
 
   Real integral() const {
     const Real approach = glm::dot(Vector(c_.light.position) - Vector(c_.ray.origin), direction_);
-    const Real end = std::min(Real(c_.ray.length), (c_.fog.mode == FogMode::exp ? 200 : 14) / density_);
+    const Real end = std::min(Real(c_.ray.length), (c_.atmosphere.fog.mode == FogMode::exp ? 200 : 14) / density_);
     std::vector<Real> grid{0, end};
     std::vector<Real> cuts{0, end};
     const auto add_towards = [&](Real centre) {
@@ -116,7 +116,9 @@ class Definition {
     const auto [constant, linear, quadratic] = c_.light.light.attenuation;
     return Real(constant) + Real(linear) * r + Real(quadratic) * r * r;
   }
-  Real optical_depth(Real r) const { return c_.fog.mode == FogMode::exp ? density_ * r : density_ * r * density_ * r; }
+  Real optical_depth(Real r) const {
+    return c_.atmosphere.fog.mode == FogMode::exp ? density_ * r : density_ * r * density_ * r;
+  }
   Real beam(Real s) const {
     const Cone& cone = c_.light.light.cone;
     if (cone.profile == ConeProfile::none) return 1;
@@ -130,8 +132,9 @@ class Definition {
   Real integrand(Real s) const {
     const Real r = range(s);
     if (denominator(r) * Real(c_.light.light.threshold) > 1) return 0;
-    Real value = density_ * (c_.fog.mode == FogMode::exp ? 1 : 2 * density_ * s) * std::exp(-optical_depth(s));
-    if (c_.scattering.lamp_leg == LampLeg::fogged) value *= std::exp(-optical_depth(r));
+    Real value =
+        density_ * (c_.atmosphere.fog.mode == FogMode::exp ? 1 : 2 * density_ * s) * std::exp(-optical_depth(s));
+    if (c_.lamp_leg == LampLeg::fogged) value *= std::exp(-optical_depth(r));
     value *= phase_(r > 0 ? -glm::dot(from_light(s), direction_) / r : Real(-1));
     return value * beam(s) / std::max(Real(1), denominator(r));
   }
@@ -152,8 +155,8 @@ class Definition {
   Real density_;
 };
 
-double airlight_of(const AirlightCase& c) { return airlight(c.light, c.fog, c.ray, c.scattering); }
-double reference_of(const AirlightCase& c) { return reference_airlight(c.light, c.fog, c.ray, c.scattering); }
+double airlight_of(const AirlightCase& c) { return airlight(c.light, c.atmosphere, c.ray, c.lamp_leg); }
+double reference_of(const AirlightCase& c) { return reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg); }
 
 /// The axial airlight of L or Q > 0 and 0 < density < infinity, by 50 digits.
 Digits50 axial_reference(const SolveCase& c) {
@@ -260,7 +263,7 @@ TEST(Airlight, ReferenceIsTheDefinitionByAnotherQuadrature) {
                          kReferenceAirlightMaxError, "relative");
         for (int i = 0; i < kRays; ++i) {
           AirlightCase c = is_spot ? draw_spot_airlight_case(random, mode, leg) : draw_airlight_case(random, mode, leg);
-          if (i % 2 == 0) c.scattering.phase.asymmetry = random.uniform(-0.99, 0.99);
+          if (i % 2 == 0) c.atmosphere.phase.asymmetry = random.uniform(-0.99, 0.99);
           const double expected = double(Definition(c).integral());
           // Of spots 1e-13 may be rounding at the edge of a cone; dimmer points than 1e-60 lie beyond the integral's
           // end.
@@ -290,7 +293,7 @@ typename Text::LitfogAirlight seen_exactly(const AirlightCase& c) {
   const Light& light = c.light.light;
   const long double extent = real(reference_extent(light.attenuation, light.threshold));
   auto air =
-      Text::seen_along(c.light, extent, c.fog, c.ray, c.scattering.lamp_leg, convert<long double>(c.scattering.phase));
+      Text::seen_along(c.light, extent, c.atmosphere.fog, c.ray, c.lamp_leg, convert<long double>(c.atmosphere.phase));
   air.approach = real(along * ray_length);
   air.offset = real(sqrt(dot(offset, offset)));
   air.axis_offset = real(dot(offset, axis) / axis_length);
@@ -334,9 +337,9 @@ AirlightCase looking(const Attenuation& attenuation, const Fog& fog, LampLeg lam
   c.light.light.attenuation = attenuation;
   c.light.light.threshold = 1e-9;
   c.light.position = light_position;
-  c.fog = fog;
+  c.atmosphere.fog = fog;
   c.ray.length = length;
-  c.scattering.lamp_leg = lamp_leg;
+  c.lamp_leg = lamp_leg;
   return c;
 }
 
@@ -520,7 +523,7 @@ TEST(Airlight, FastFormHasItsStatedErrorsInForwardAndBackwardScattering) {
         const LampLeg leg = random.pick(kLampLegs);
         AirlightCase c =
             random.chance(0.5) ? draw_airlight_case(random, mode, leg) : draw_spot_airlight_case(random, mode, leg);
-        c.scattering.phase.asymmetry = g;
+        c.atmosphere.phase.asymmetry = g;
         return c;
       };
       const std::string what = std::string(name_of(mode)) + ", g = " + std::to_string(g);
@@ -592,7 +595,8 @@ TEST(Airlight, LobeOfAnotherShapeHasTheStatedError) {
             i % 2 == 0 ? draw_airlight_case(random, mode, leg) : draw_spot_airlight_case(random, mode, leg);
         const double extent = compute_extent(c.light.light.attenuation, c.light.light.threshold);
         LobeText text{airlight_text::NoCookie{}};
-        const double value = text.litfog_airlight(text.seen_along(c.light, extent, c.fog, c.ray, leg, Lobe{}));
+        const double value =
+            text.litfog_airlight(text.seen_along(c.light, extent, c.atmosphere.fog, c.ray, leg, Lobe{}));
         const double expected = double(Definition(c, phase).integral());
         error.add(std::abs(value - expected) / std::max(expected, 1.0), [&] { return to_string(c); });
       }
@@ -665,8 +669,8 @@ TEST(Airlight, AirlightIsBelowTheOpacityAndRisesWithTheLength) {
     AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
     c.ray.length = random.log_uniform(0.1, 1000);
     const double reference = reference_of(c);
-    ASSERT_LE(reference, opacity_at(c.fog, c.ray.length) * (1 + kReferenceAirlightMaxError)) << to_string(c);
-    ASSERT_LE(airlight_of(c), opacity_at(c.fog, c.ray.length) + kAirlightMaxError) << to_string(c);
+    ASSERT_LE(reference, opacity_at(c.atmosphere.fog, c.ray.length) * (1 + kReferenceAirlightMaxError)) << to_string(c);
+    ASSERT_LE(airlight_of(c), opacity_at(c.atmosphere.fog, c.ray.length) + kAirlightMaxError) << to_string(c);
     c.ray.length *= 1.5;
     ASSERT_GE(reference_of(c), reference * (1 - kReferenceAirlightMaxError) - 1e-19) << to_string(c);
   }
@@ -719,7 +723,7 @@ TEST(Airlight, ErrorOfTheFastFormHasNoSeams) {
       ASSERT_NEAR(error_of_fast(shorter), error_of_fast(longer), kSeam) << to_string(c);
     }
     AirlightCase uneven = c;
-    uneven.scattering.phase.asymmetry = random.pick(std::array{-1e-9, 1e-9});
+    uneven.atmosphere.phase.asymmetry = random.pick(std::array{-1e-9, 1e-9});
     ASSERT_NEAR(error_of_fast(uneven), error_of_fast(c), kWideSeam) << to_string(c);
     AirlightCase with_knee = c, without_knee = c;
     with_knee.light.light.attenuation.constant = 1 - 1e-9;
@@ -748,10 +752,10 @@ TEST(Airlight, AirlightOfWildInputIsFiniteAndNotNegative) {
     Light& light = c.light.light;
     light.attenuation = {draw(), draw(), random.any_positive<double>()};
     light.threshold = std::min(random.any_positive<double>(), 0.99);
-    c.fog.density = draw();
+    c.atmosphere.fog.density = draw();
     if (random.chance(0.5)) c.ray.length = draw();
     if (random.chance(0.3)) c.light.position = c.ray.origin;
-    if (random.chance(0.5)) c.scattering.phase.asymmetry = random.uniform(-0.999, 0.999);
+    if (random.chance(0.5)) c.atmosphere.phase.asymmetry = random.uniform(-0.999, 0.999);
     const double value = airlight_of(c);
     ASSERT_TRUE(value >= 0 && std::isfinite(value)) << value << ": " << to_string(c);
     if (i % 100 != 0) continue;
@@ -767,14 +771,16 @@ TEST(Airlight, LightSeesTheFogThroughItsDensityScale) {
     c.light.light.density_scale = random.pick(std::array{0.0, 0.4, 2.5});
     AirlightCase seen = c;
     seen.light.light.density_scale = 1;
-    seen.fog.density = c.fog.density * c.light.light.density_scale;
+    seen.atmosphere.fog.density = c.atmosphere.fog.density * c.light.light.density_scale;
     EXPECT_EQ(airlight_of(c), airlight_of(seen)) << to_string(c);
     EXPECT_EQ(reference_of(c), reference_of(seen)) << to_string(c);
     const auto bound = [](const AirlightCase& of) {
-      return bound_airlight(of.light, of.fog, of.ray.origin, of.ray.direction, 0.1, of.scattering);
+      return bound_airlight(of.light, of.atmosphere, of.ray.origin, of.ray.direction, 0.1, of.lamp_leg);
     };
     EXPECT_EQ(bound(c), bound(seen)) << to_string(c);
-    EXPECT_EQ(light_reach(c.light.light, c.fog, 0.01), light_reach(seen.light.light, seen.fog, 0.01)) << to_string(c);
+    EXPECT_EQ(light_reach(c.light.light, c.atmosphere.fog, 0.01),
+              light_reach(seen.light.light, seen.atmosphere.fog, 0.01))
+        << to_string(c);
   }
 }
 
@@ -786,12 +792,12 @@ TEST(Airlight, TotalFogScattersInTheEyeAlone) {
     c.light.light.cone = Cone::cosine(0.5, 3);
     EXPECT_EQ(airlight_of(c), 0.5);
     EXPECT_EQ(reference_of(c), 0.5);
-    c.scattering.phase.asymmetry = 0.5;  // straight ahead (1 + g) / (1 - g)^2
+    c.atmosphere.phase.asymmetry = 0.5;  // straight ahead (1 + g) / (1 - g)^2
     EXPECT_DOUBLE_EQ(airlight_of(c), 0.5 * 6);
     c.light.direction = {1, 0, 0};
     EXPECT_EQ(airlight_of(c), 0);
     c.light.direction = {0, 0, 1};
-    c.scattering.lamp_leg = LampLeg::fogged;
+    c.lamp_leg = LampLeg::fogged;
     EXPECT_EQ(airlight_of(c), 0);
     c = looking({4, 0, 0.25}, total, LampLeg::fogged);  // the eye at the light
     EXPECT_EQ(airlight_of(c), 0.125);                   // the limit: the integral of -f' f is 1/2
@@ -817,7 +823,7 @@ TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
   for (int i = 0; i < 20000; ++i) {
     AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
     if (random.chance(0.5)) c.light.light.cone = {};
-    if (random.chance(0.3)) c.scattering.phase.asymmetry = random.uniform(-0.95, 0.95);
+    if (random.chance(0.3)) c.atmosphere.phase.asymmetry = random.uniform(-0.95, 0.95);
     if (random.chance(0.3)) {  // far from the origin, where positions are rounded
       const glm::dvec3 offset = random.log_uniform(1e3, 1.6e7) * draw_direction(random);
       c.ray.origin += offset;
@@ -829,7 +835,7 @@ TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
         half_angle * (random.chance(0.5) ? 1 - 1e-9 : random.uniform(0, 1));  // of the ray from the axis
     const glm::dvec3 axis =
         glm::normalize(std::cos(tilt) * c.ray.direction + std::sin(tilt) * draw_perpendicular(random, c.ray.direction));
-    const double bound = bound_airlight(c.light, c.fog, c.ray.origin, axis, half_angle, c.scattering);
+    const double bound = bound_airlight(c.light, c.atmosphere, c.ray.origin, axis, half_angle, c.lamp_leg);
     ASSERT_GE(bound, reference_of(c)) << "half angle " << half_angle << ", tilt " << tilt << ", " << to_string(c);
     if (bound < kStep / 2) ++dark;
   }
@@ -847,8 +853,8 @@ TEST(AirlightBound, BoundOnAStretchOfARayIsNeverBelowItsAirlight) {
     AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
     if (random.chance(0.3)) c.light.light.cone = {};
     const Light& light = c.light.light;
-    const auto air = text.seen_along(c.light, compute_extent(light.attenuation, light.threshold), c.fog, c.ray,
-                                     c.scattering.lamp_leg, c.scattering.phase);
+    const auto air = text.seen_along(c.light, compute_extent(light.attenuation, light.threshold), c.atmosphere.fog,
+                                     c.ray, c.lamp_leg, c.atmosphere.phase);
     const double bound = text.litfog_airlight_bound(air, text.litfog_airlight_stretch(air));
     const double airlight = reference_of(c);
     ASSERT_GE(bound, (1 - kLeftOut) * airlight - kAllLeftOut) << to_string(c);
@@ -885,15 +891,15 @@ TEST(AirlightBound, BoundOnAWholeRayIsNeverBelowItsAirlight) {
 
 /// The bound of the airlight along the ray of a case alone.
 double bound_of_ray(const AirlightCase& c) {
-  return bound_airlight(c.light, c.fog, c.ray.origin, c.ray.direction, 0, c.scattering);
+  return bound_airlight(c.light, c.atmosphere, c.ray.origin, c.ray.direction, 0, c.lamp_leg);
 }
 
 TEST(AirlightBound, BoundHoldsToTheLastDigitWhereTheAirlightReachesIt) {
   Random random(76);
   for (int i = 0; i < 2000; ++i) {  // the eye at an endless light: A = p / C
     AirlightCase c = looking({random.uniform(1, 5), 0, 0}, {random.pick(kModes), 0.01}, LampLeg::clear);
-    c.scattering.phase.asymmetry = -random.uniform(0, 0.9);
-    const double airlight = largest_phase(c.scattering.phase) / c.light.light.attenuation.constant;
+    c.atmosphere.phase.asymmetry = -random.uniform(0, 0.9);
+    const double airlight = largest_phase(c.atmosphere.phase) / c.light.light.attenuation.constant;
     ASSERT_GE(bound_of_ray(c), std::max(airlight, reference_of(c))) << to_string(c);
     ASSERT_LE(bound_of_ray(c), airlight * (1 + 1e-10)) << to_string(c);
   }
@@ -942,12 +948,12 @@ TEST(LightReach, NothingBeyondTheReachShowsTheBudget) {
     const Light& light = c.light.light;
     const LampLeg leg = random.pick(kLampLegs);
     const double budget = random.log_uniform(1e-8, 0.999);
-    const double reach = light_reach(light, c.fog, budget, leg);
+    const double reach = light_reach(light, c.atmosphere.fog, budget, leg);
     const double extent = compute_extent(light.attenuation, light.threshold);
     const auto shown_at = [&](double range) {
       return range > extent ? 0
                             : attenuation_at(light.attenuation, range) *
-                                  (leg == LampLeg::fogged ? fog_factor_at(c.fog, range) : 1);
+                                  (leg == LampLeg::fogged ? fog_factor_at(c.atmosphere.fog, range) : 1);
     };
     ASSERT_LE(reach, extent);
     if (std::isinf(reach)) continue;
@@ -996,20 +1002,21 @@ TEST(Airlight, AirlightAlongManyRaysIsThatAlongEach) {
   std::vector<EyeRay> rays(7, c.ray);
   for (EyeRay& ray : rays) ray.direction = draw_direction(random);
   std::vector<double> airlights(rays.size());
-  airlight(c.light, c.fog, rays, c.scattering, airlights);
+  airlight(c.light, c.atmosphere, rays, c.lamp_leg, airlights);
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    EXPECT_EQ(airlights[i], airlight(c.light, c.fog, rays[i], c.scattering));
+    EXPECT_EQ(airlights[i], airlight(c.light, c.atmosphere, rays[i], c.lamp_leg));
   }
   rays.back().length = kNan;
-  EXPECT_EQ(error_of([&] { airlight(c.light, c.fog, rays, c.scattering, airlights); }), "length = nan: must be >= 0");
+  EXPECT_EQ(error_of([&] { airlight(c.light, c.atmosphere, rays, c.lamp_leg, airlights); }),
+            "length = nan: must be >= 0");
 }
 
 TEST(Airlight, WrongArgumentsAreErrors) {
   AirlightCase c;
   const auto error = [&] { return error_of([&] { airlight_of(c); }); };
-  c.scattering.phase.asymmetry = 1;
+  c.atmosphere.phase.asymmetry = 1;
   EXPECT_EQ(error(), "asymmetry = 1: must be in (-1, 1)");
-  c.scattering.phase.asymmetry = kNan;
+  c.atmosphere.phase.asymmetry = kNan;
   EXPECT_EQ(error(), "asymmetry = nan: must be in (-1, 1)");
   c = {};
   c.ray.length = -1;
@@ -1021,7 +1028,7 @@ TEST(Airlight, WrongArgumentsAreErrors) {
   c.ray.origin.y = 1e9;
   EXPECT_EQ(error(), "origin.y = 1e+09: must be at most 16777216 in magnitude");
   c = {};
-  c.fog.density = -1;
+  c.atmosphere.fog.density = -1;
   EXPECT_EQ(error(), "fog.density = -1: must be >= 0");
   EXPECT_EQ(error_of([&] { reference_of(c); }), "fog.density = -1: must be >= 0");
 }

@@ -105,13 +105,13 @@ TEST(FogLightBlock, WronglyPlacedLightIsAnError) {
   std::vector<PlacedLight> lights(2, distinct_light());
   lights[1].position.x = kNan;
   const std::vector<FogIntensity> solutions(2, kSolution);
-  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, lights, solutions); }),
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, lights, solutions); }),
             "position.x = nan: must be at most 16777216 in magnitude");
 }
 
 TEST(FogLightBlock, AmbientFogColorThatIsNoLightIsAnError) {
   const auto error_with = [](const glm::dvec3& color) {
-    return error_of([&] { pack_fog_light_block({}, color, {}, {}); });
+    return error_of([&] { pack_fog_light_block({.ambient_fog_color = color}, {}, {}); });
   };
   EXPECT_EQ(error_with({kNan, 0, 0}), "ambient_fog_color.r = nan: must be finite and >= 0");
   EXPECT_EQ(error_with({0, -1, 0}), "ambient_fog_color.g = -1: must be finite and >= 0");
@@ -121,10 +121,12 @@ TEST(FogLightBlock, AmbientFogColorThatIsNoLightIsAnError) {
 TEST(FogLightBlock, BlockHoldsFogCountAndAmbientColor) {
   const std::vector<PlacedLight> lights(3, distinct_light());
   const std::vector<FogIntensity> solutions(3, kSolution);
-  const FogLightBlock exp_block = pack_fog_light_block({FogMode::exp, 0.125}, {0.1, 0.2, 0.3}, lights, solutions);
+  const FogLightBlock exp_block =
+      pack_fog_light_block({.fog = {FogMode::exp, 0.125}, .ambient_fog_color = {0.1, 0.2, 0.3}}, lights, solutions);
   EXPECT_EQ(exp_block.header.fog, glm::vec4(0.125, 0, 3, 0));
   EXPECT_EQ(exp_block.header.ambient_fog_color, glm::vec4(0.1f, 0.2f, 0.3f, 0));
-  const FogLightBlock exp2_block = pack_fog_light_block({FogMode::exp2, 0.25}, {0.1, 0.2, 0.3}, lights, solutions);
+  const FogLightBlock exp2_block =
+      pack_fog_light_block({.fog = {FogMode::exp2, 0.25}, .ambient_fog_color = {0.1, 0.2, 0.3}}, lights, solutions);
   EXPECT_EQ(exp2_block.header.fog, glm::vec4(0.25, 1, 3, 0));
 }
 
@@ -135,7 +137,7 @@ TEST(FogLightBlock, LightsAreInOrderWithZerosBehindThem) {
     lights[std::size_t(i)].position.x = 10 * i;
     solutions[std::size_t(i)].intensity = 0.25 * i;
   }
-  const FogLightBlock block = pack_fog_light_block({}, {}, lights, solutions);
+  const FogLightBlock block = pack_fog_light_block({}, lights, solutions);
   for (int i = 0; i < 3; ++i) {
     const FogLightInstance& instance = block.instances[std::size_t(i)];
     EXPECT_EQ(instance.position_kind, glm::vec4(10 * i, -2, 3, i));
@@ -150,21 +152,21 @@ TEST(FogLightBlock, LightsAreInOrderWithZerosBehindThem) {
 }
 
 TEST(FogLightBlock, HeaderOfMoreInstancesThanTheBlockHasIsAnError) {
-  EXPECT_EQ(pack_fog_header({}, {}, kMaxFogLights).fog.z, float(kMaxFogLights));
-  EXPECT_EQ(error_of([] { pack_fog_header({}, {}, kMaxFogLights + 1); }), "instances = 201: must be at most 200");
+  EXPECT_EQ(pack_fog_header({}, kMaxFogLights).fog.z, float(kMaxFogLights));
+  EXPECT_EQ(error_of([] { pack_fog_header({}, kMaxFogLights + 1); }), "instances = 201: must be at most 200");
 }
 
 TEST(FogLightBlock, TotalFogBecomesTheLargestFloat) {
-  EXPECT_EQ(pack_fog_light_block({FogMode::exp, kInfinity}, {}, {}, {}).header.fog.x, kLargestFloat);
-  EXPECT_EQ(pack_fog_light_block({FogMode::exp, 1e300}, {}, {}, {}).header.fog.x, kLargestFloat);
-  EXPECT_EQ(pack_fog_light_block({FogMode::exp, 0}, {}, {}, {}).header.fog.x, 0);
+  EXPECT_EQ(pack_fog_light_block({{FogMode::exp, kInfinity}}, {}, {}).header.fog.x, kLargestFloat);
+  EXPECT_EQ(pack_fog_light_block({{FogMode::exp, 1e300}}, {}, {}).header.fog.x, kLargestFloat);
+  EXPECT_EQ(pack_fog_light_block({{FogMode::exp, 0}}, {}, {}).header.fog.x, 0);
 }
 
 TEST(FogLightBlock, BlockHoldsFromNoLightToAsManyAsFit) {
-  EXPECT_EQ(pack_fog_light_block({}, {}, {}, {}).header.fog.z, 0);
+  EXPECT_EQ(pack_fog_light_block({}, {}, {}).header.fog.z, 0);
   const std::vector<PlacedLight> lights(kMaxFogLights, distinct_light());
   const std::vector<FogIntensity> solutions(kMaxFogLights, kSolution);
-  const FogLightBlock block = pack_fog_light_block({}, {}, lights, solutions);
+  const FogLightBlock block = pack_fog_light_block({}, lights, solutions);
   EXPECT_EQ(block.header.fog.z, float(kMaxFogLights));
   EXPECT_EQ(block.kinds.back().cone_scale_intensity.w, 0.375f);
 }
@@ -173,12 +175,12 @@ TEST(FogLightBlock, TooManyLightsMissingSolutionsOrWrongFogAreAnError) {
   const std::vector<PlacedLight> lights(kMaxFogLights + 1, distinct_light());
   const std::vector<FogIntensity> solutions(kMaxFogLights + 1, kSolution);
   const std::span<const PlacedLight> two(lights.data(), 2);
-  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, lights, solutions); }), "lights = 201: must be at most 200");
-  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 1)); }),
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, lights, solutions); }), "lights = 201: must be at most 200");
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, two, std::span(solutions.data(), 1)); }),
             "solutions = 1: must be as many as the lights");
-  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, {}, two, std::span(solutions.data(), 3)); }),
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({}, two, std::span(solutions.data(), 3)); }),
             "solutions = 3: must be as many as the lights");
-  EXPECT_EQ(error_of([&] { pack_fog_light_block({FogMode::exp, -1}, {}, {}, {}); }), "fog.density = -1: must be >= 0");
+  EXPECT_EQ(error_of([&] { pack_fog_light_block({{FogMode::exp, -1}}, {}, {}); }), "fog.density = -1: must be >= 0");
 }
 
 }  // namespace

@@ -43,7 +43,7 @@ ShaderCase shader_case(const AirlightCase& drawn) {
   AirlightCase exact = drawn;
   exact.ray = {.origin = {0, 0, 0}, .direction = {0, 0, -1}, .length = rounded(std::min(drawn.ray.length, 1e30))};
   exact.light.position = {offset, 0, -approach};
-  exact.fog.density = rounded(drawn.fog.density);
+  exact.atmosphere.fog.density = rounded(drawn.atmosphere.fog.density);
   Attenuation& attenuation = exact.light.light.attenuation;
   attenuation = {rounded(attenuation.constant), rounded(attenuation.linear), rounded(attenuation.quadratic)};
   const double extent = compute_extent(attenuation, light.threshold);
@@ -66,8 +66,8 @@ ShaderCase shader_case(const AirlightCase& drawn) {
     cone = Cone::smoothstep(std::acos(double(cosines.y)), std::acos(double(cosines.x)));
   }
   return {exact,
-          {glm::vec4(exact.fog.density, exact.fog.mode == FogMode::exp ? 0 : 1,
-                     drawn.scattering.lamp_leg == LampLeg::fogged ? 1 : 0, drawn.scattering.phase.asymmetry),
+          {glm::vec4(exact.atmosphere.fog.density, exact.atmosphere.fog.mode == FogMode::exp ? 0 : 1,
+                     drawn.lamp_leg == LampLeg::fogged ? 1 : 0, drawn.atmosphere.phase.asymmetry),
            glm::vec4(attenuation.constant, attenuation.linear, attenuation.quadratic, std::min(extent, 1e30)),
            glm::vec4(int(cone.profile), cosines, exact.ray.length),
            glm::vec4(approach, offset, axis_offset, axis_slope), glm::vec4(0)}};
@@ -96,7 +96,7 @@ void expect_stated_errors(const std::vector<ShaderCase>& cases, const std::strin
   std::vector<double> relative;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const AirlightCase& c = cases[i].exact;
-    const double reference = reference_airlight(c.light, c.fog, c.ray, c.scattering);
+    const double reference = reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
     ASSERT_TRUE(std::isfinite(airlights[i])) << what << ": " << to_string(c);
     const double error = std::abs(airlights[i] - reference);
     const double share = error / std::max(reference, 1.0);
@@ -120,7 +120,7 @@ std::vector<ShaderCase> draw_cases(Random& random, FogMode mode, LampLeg leg, bo
   while (cases.size() < kRays) {
     AirlightCase drawn = is_spot ? draw_spot_airlight_case(random, mode, leg) : draw_airlight_case(random, mode, leg);
     if (is_spot && cutoff_angle(drawn.light.light.cone) <= kNarrowest) continue;
-    if (!is_isotropic) drawn.scattering.phase.asymmetry = rounded(random.uniform(-0.9, 0.9));
+    if (!is_isotropic) drawn.atmosphere.phase.asymmetry = rounded(random.uniform(-0.9, 0.9));
     cases.push_back(shader_case(drawn));
   }
   return cases;

@@ -86,7 +86,7 @@ class FogLightBuffer : public GlTest {
   static constexpr Fog kFog{FogMode::exp, 0.01};
 
   static FogHeader header(const FogUpdater& updater) {
-    return pack_fog_header(kFog, glm::dvec3{0.5}, updater.instances().size());
+    return pack_fog_header({.fog = kFog, .ambient_fog_color = glm::dvec3{0.5}}, updater.instances().size());
   }
 
   /// A member of every instance and kind of the block, and the header.

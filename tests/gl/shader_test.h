@@ -51,7 +51,7 @@ class ShaderTest : public GlTest {
 
   void upload(const Fog& fog, const glm::dvec3& ambient, std::span<const PlacedLight> lights,
               std::span<const FogIntensity> solutions) {
-    block_ = pack_fog_light_block(fog, ambient, lights, solutions);
+    block_ = pack_fog_light_block({.fog = fog, .ambient_fog_color = ambient}, lights, solutions);
   }
   const FogLightBlock& block() const { return block_; }
 

@@ -18,7 +18,7 @@ class ComparisonTest : public test::GlTest {};
 TEST_F(ComparisonTest, LampsPointsAreInTheFrameButNeitherInTheReferenceNorInTheError) {
   const Scene scene = read_scene(bundled_scene_path("approach"));
   Renderer renderer(scene, 64, 36, {});
-  renderer.set_fog(Fog::from_visibility(FogMode::exp, 2000.0));
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 2000.0)));
   renderer.draw();
   const Picture with_points = renderer.read();
   const Comparison comparison = compare_with_reference(renderer);
@@ -39,7 +39,7 @@ TEST_F(ComparisonTest, LampsPointsAreInTheFrameButNeitherInTheReferenceNorInTheE
 TEST_F(ComparisonTest, ErrorIsInStepsOfThePictureAsShown) {
   const Scene scene = read_scene(bundled_scene_path("room"));
   Renderer renderer(scene, 16, 9, {});
-  renderer.set_fog(Fog::from_visibility(FogMode::exp, 20.0));
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 20.0)));
   for (const double ev : {4.0, -6.0}) {
     SCOPED_TRACE(ev);
     renderer.set_exposure({.ev = ev});

@@ -37,12 +37,12 @@ Scene yard() {
   Scene scene;
   scene.camera = {.position = {0.3, 2.1, 7.7}, .target = {0.2, 0.9, 0}, .field_of_view = 0.9f};
   scene.environment = {.ambient_light = glm::vec3(0.02f),
-                       .ambient_fog_color = glm::vec3(0.02f),
                        .sky_zenith = {0.01f, 0.01f, 0.02f},
                        .sky_horizon = glm::vec3(0.03f),
                        .star_brightness = 0.5f,
                        .moon_direction = glm::normalize(glm::vec3(0.4f, 1, 0.6f)),
                        .moon_color = glm::vec3(0.05f)};
+  scene.atmosphere.ambient_fog_color = glm::vec3(0.02f);
   scene.models.push_back(make_model("box", {{"width_m", 14}, {"depth_m", 14}, {"height_m", 0.2}}));
   scene.models.push_back(make_model("box", {{"width_m", 1.1}, {"depth_m", 0.9}, {"height_m", 1.3}}));
   scene.models.push_back(make_model("crate", {}));
@@ -70,7 +70,7 @@ Scene yard() {
 Scene moved(Scene scene, const glm::dvec3& by) {
   scene.camera.position += by;
   scene.camera.target += by;
-  scene.fog_top += by.y;
+  scene.atmosphere.top += by.y;
   for (Instance& instance : scene.instances) instance.world_from_model[3] += glm::dvec4(by, 0);
   for (PlacedLight& light : scene.lights) light.position += by;
   return scene;
@@ -78,7 +78,7 @@ Scene moved(Scene scene, const glm::dvec3& by) {
 
 Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings) {
   Renderer renderer(scene, kWidth, kHeight, settings);
-  renderer.set_fog(fog);
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
   renderer.draw();
   return renderer.read();
 }
@@ -117,8 +117,8 @@ INSTANTIATE_TEST_SUITE_P(FarScene, FarScenePath, testing::ValuesIn(lighting_path
 
 TEST_F(FarScene, AirlightStaysAsItIsAtTheOrigin) {
   Scene scene = yard();
-  scene.phase.asymmetry = 0.6;
-  scene.fog_top = 4;
+  scene.atmosphere.phase.asymmetry = 0.6;
+  scene.atmosphere.top = 4;
   const Fog fog = Fog::from_visibility(FogMode::exp, 30.0);
   expect_alike_far_away(scene, fog, {.fog_lighting = FogLighting::airlight}, "airlight");
 }
@@ -144,11 +144,11 @@ TEST_F(FarScene, ReferenceStaysAsItIsAtTheOrigin) {
   const RenderSettings settings{.shadows = Shadows::surfaces, .shadow_map_size = 512};
   const Scene near = yard();
   Renderer at_origin(near, 36, 24, settings);
-  at_origin.set_fog(fog);
+  at_origin.set_atmosphere(at_origin.scene().atmosphere.with(fog));
   const ReferencePicture expected = shade_reference(at_origin);
   const Scene far = moved(near, kFarPlace);
   Renderer renderer(far, 36, 24, settings);
-  renderer.set_fog(fog);
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
   renderer.draw(LightPoints::off);
   const Picture drawn = renderer.read();
   const ReferencePicture reference = shade_reference(renderer);
@@ -183,7 +183,7 @@ TEST_F(FarScene, CameraThatTravelsFarTakesTheOriginAlong) {
   const Camera far_camera = both.camera;
   both.camera = near.camera;
   Renderer renderer(both, kWidth, kHeight, {});
-  renderer.set_fog(fog);
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
   renderer.draw();
   const Picture before = renderer.read();
   both.camera = far_camera;

@@ -54,7 +54,7 @@ TEST_F(GltfPicture, FarFloorLooksAsTheNearOne) {
     std::ofstream(path, std::ios::binary) << binary_file(file, floor_bytes());
     const Scene scene = read_scene(path);
     Renderer renderer(scene, 80, 80, {.fog_lighting = FogLighting::airlight});
-    renderer.set_fog(Fog::from_visibility(FogMode::exp, 30.0));
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 30.0)));
     renderer.draw();
     return renderer.read();
   };

@@ -66,7 +66,7 @@ Scene panel(Material of) {
   Scene scene;
   scene.camera = {.position = {0.1f, 0.2f, 6}, .target = {0.1f, 0.2f, 0}, .field_of_view = 0.8f};
   scene.environment.ambient_light = glm::vec3(0.8f, 0.7f, 0.9f);
-  scene.environment.ambient_fog_color = kFogColor;
+  scene.atmosphere.ambient_fog_color = kFogColor;
   Mesh mesh;
   for (const glm::vec2 corner : {glm::vec2(-2, -2), glm::vec2(2, -2), glm::vec2(2, 2), glm::vec2(-2, 2)}) {
     mesh.vertices.push_back({glm::vec3(corner, 0), {0, 0, 1}, {1, 0, 0, 1}, corner});
@@ -115,7 +115,7 @@ void expect_colors(const Scene& scene, std::string_view path, const Expected& ex
   Renderer renderer(scene, kWidth, kHeight, {.path = find_lighting_path(path), .samples = 1});
   for (const double visibility : {std::numeric_limits<double>::infinity(), 15.0}) {
     const Fog fog = Fog::from_visibility(FogMode::exp, visibility);
-    renderer.set_fog(fog);
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
     renderer.draw(LightPoints::off);
     const Picture picture = renderer.read();
     int compared = 0;
@@ -238,7 +238,7 @@ TEST_F(ReferenceMaterial, PaneLetsThroughWhatItsOpacityLeaves) {
   for (const char* path : {"unified", "vertex", "legacy", "interpolated"}) {
     Renderer renderer(scene, 16, 16, {.path = find_lighting_path(path)});
     const Fog fog = Fog::from_visibility(FogMode::exp, 15.0);
-    renderer.set_fog(fog);
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
     renderer.draw(LightPoints::off);
     const glm::dvec3 eye = scene.camera.position;
     const glm::dvec3 view = view_direction(scene.camera, 16, 16, 8.5, 8.5);
@@ -328,7 +328,7 @@ TEST_F(ReferenceMaterial, PathsDrawFilteredPicturesByLampsAsTheReferenceHasThem)
     if (path.evaluation == Evaluation::vertex) continue;  // lamps within a triangle
     Renderer renderer(scene, 64, 48, {.path = &path, .samples = path.has_several_passes() ? 1 : 4});
     for (const double visibility : {std::numeric_limits<double>::infinity(), 8.0}) {
-      renderer.set_fog(Fog::from_visibility(FogMode::exp, visibility));
+      renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, visibility)));
       renderer.draw(LightPoints::off);
       const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
       EXPECT_LE(error.beyond_maps, 0.25) << path.name << " " << visibility;
@@ -344,7 +344,7 @@ TEST_F(ReferenceMaterial, AirlightEndsAtWhatAMaskLeavesByEveryPathThatTakesIt) {
     Renderer renderer(
         scene, 64, 48,
         {.path = &path, .fog_lighting = FogLighting::airlight, .samples = path.has_several_passes() ? 1 : 4});
-    renderer.set_fog(Fog::from_visibility(FogMode::exp, 20.0));
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 20.0)));
     renderer.draw(LightPoints::off);
     const Picture picture = renderer.read();
     EXPECT_TRUE(std::ranges::all_of(picture.rgb, [](float value) { return std::isfinite(value); })) << path.name;
@@ -360,7 +360,8 @@ TEST_F(ReferenceMaterial, SkippingChangesAMaskedSceneByLessThanAStep) {
   Renderer skipping(scene, 64, 48, {.skipping = Skipping::on});
   std::size_t as_fog = 0;
   for (const double visibility : {8.0, 2.0, 1.0}) {
-    for (Renderer* renderer : {&all, &skipping}) renderer->set_fog(Fog::from_visibility(FogMode::exp, visibility));
+    for (Renderer* renderer : {&all, &skipping})
+      renderer->set_atmosphere(renderer->scene().atmosphere.with(Fog::from_visibility(FogMode::exp, visibility)));
     all.draw(LightPoints::off);
     as_fog += skipping.draw(LightPoints::off).chunks_as_fog;
     const Picture pictures[] = {all.read(), skipping.read()};
@@ -403,7 +404,7 @@ TEST_F(ReferenceMaterial, LampShinesThroughTheHolesOfAMask) {
   const Scene scene = mask_before_wall();
   Renderer renderer(scene, 96, 72, {.shadows = Shadows::surfaces, .shadow_map_size = 2048});
   const ReferenceShadows shadows(renderer);
-  const ReferenceLight light = reference_lights(scene, Fog{}, RenderSettings{}).at(0);
+  const ReferenceLight light = reference_lights(scene, {}, RenderSettings{}).at(0);
   for (int x = -3; x < 3; ++x) {
     for (int y = -3; y < 3; ++y) {
       const glm::dvec2 middle(x * 0.5 + 0.25, y * 0.5 + 0.25);  // of a field; on the wall twice as far from the axis

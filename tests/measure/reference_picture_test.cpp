@@ -36,7 +36,7 @@ class ReferencePictureTest : public test::GlTest {};
 
 ReferencePicture shade(const Scene& scene, const Fog& fog) {
   Renderer renderer(scene, kWidth, kHeight, {});
-  renderer.set_fog(fog);
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
   return shade_reference(renderer);
 }
 
@@ -45,7 +45,7 @@ Scene flat_floor() {
   Scene scene;
   scene.camera = {.position = {0.5f, 5, 8}, .target = {0, 0, 1}, .field_of_view = 0.9f};
   scene.environment.ambient_light = {0.02f, 0.03f, 0.04f};
-  scene.environment.ambient_fog_color = {0.1f, 0.11f, 0.12f};
+  scene.atmosphere.ambient_fog_color = {0.1f, 0.11f, 0.12f};
   scene.materials.push_back({.name = "plain",
                              .size_m = 1,
                              .albedo = std::make_shared<const Texels>(Texels{1, 1, {255, 0, 255, 51}}),
@@ -101,7 +101,7 @@ TEST_F(ReferencePictureTest, FloorUnderALampIsTheModelInClosedForm) {
         ++lit;
       }
       const glm::dvec3 fog_color =
-          glm::dvec3(scene.environment.ambient_fog_color) + lamp.light.color * (cone * intensity);
+          glm::dvec3(scene.atmosphere.ambient_fog_color) + lamp.light.color * (cone * intensity);
       expected = glm::mix(fog_color, expected, fog_factor_at(fog, glm::distance(position, eye)));
       // The GPU interpolates the position in floats, and at its own places: some thousandths of a pixel.
       ASSERT_LT(glm::distance(pixel(reference.picture, x, y), expected), 3e-4) << x << ", " << y;
@@ -142,11 +142,11 @@ Scene sky_over_fog(double fog_top, float pitch) {
   scene.camera = {.position = {3, 20, -7}, .target = {4, 20 + pitch, -17}, .field_of_view = 0.9f};
   scene.environment.sky_zenith = {0.9f, 0.8f, 0.7f};
   scene.environment.sky_horizon = {0.2f, 0.3f, 0.4f};
-  scene.environment.ambient_fog_color = glm::vec3(0.05f);
+  scene.atmosphere.ambient_fog_color = glm::vec3(0.05f);
   scene.environment.star_brightness = 0.7f;
   scene.environment.moon_direction = glm::normalize(glm::vec3(0.3f, 0.5f, -1));
   scene.environment.moon_color = glm::vec3(0.1f);
-  scene.fog_top = fog_top;
+  scene.atmosphere.top = fog_top;
   return scene;
 }
 
@@ -154,7 +154,7 @@ Scene sky_over_fog(double fog_top, float pitch) {
 TEST_F(ReferencePictureTest, SkyIsSeenThroughTheFogUpToItsTop) {
   const Scene scene = sky_over_fog(60, 1.5f);
   Scene clear = scene;
-  clear.fog_top = -1e300;
+  clear.atmosphere.top = -1e300;
   const Fog fog = Fog::from_visibility(FogMode::exp, 400.0);
   const ReferencePicture behind = shade(clear, Fog{});
   const ReferencePicture reference = shade(scene, fog);
@@ -171,7 +171,7 @@ TEST_F(ReferencePictureTest, SkyIsSeenThroughTheFogUpToItsTop) {
 TEST_F(ReferencePictureTest, FogBelowTheEyeHidesTheSkyBelowTheHorizonOnly) {
   const Scene scene = sky_over_fog(19, -1.0f);
   Scene clear = scene;
-  clear.fog_top = -1e300;
+  clear.atmosphere.top = -1e300;
   const ReferencePicture behind = shade(clear, Fog{});
   const ReferencePicture reference = shade(scene, Fog::from_visibility(FogMode::exp, 400.0));
   for (int y = 0; y < kHeight; ++y) {
@@ -192,7 +192,7 @@ TEST_F(ReferencePictureTest, SkyThroughFogIsDrawnAsTheReferenceHasIt) {
       Renderer renderer(scene, kWidth, kHeight + 1, {});
       for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
         for (const double visibility : {0.0, 30.0, 1500.0, 20'000.0}) {
-          renderer.set_fog(Fog::from_visibility(mode, visibility));
+          renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(mode, visibility)));
           renderer.draw();
           const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
           EXPECT_LE(error.largest, 0.25) << fog_top << ", " << pitch << ", " << visibility;
@@ -210,7 +210,7 @@ TEST_F(ReferencePictureTest, ReferenceHasTheRenderersSamples) {
       for (const std::string_view path : {"unified", "accumulate"}) {  // of one pass and of several
         Renderer renderer(scene, 64, 36,
                           {.path = find_lighting_path(path), .fog_lighting = fog_lighting, .samples = samples});
-        renderer.set_fog(Fog::from_visibility(FogMode::exp, 20.0));
+        renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 20.0)));
         renderer.draw(LightPoints::off);
         const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
         EXPECT_LE(error.mean, 0.05) << path << ", " << samples << " samples";
@@ -312,7 +312,7 @@ TEST_P(ReferenceOfScene, EveryPathIsWithinItsBoundInClearAirAndInFog) {
     for (const auto& [fog_name, fog] : {std::pair{"clear", Fog{}},
                                         {"exp", Fog::from_visibility(FogMode::exp, visibility)},
                                         {"exp2", Fog::from_visibility(FogMode::exp2, visibility)}}) {
-      renderer.set_fog(fog);
+      renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
       renderer.draw(LightPoints::off);
       const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
       const std::string measured =
@@ -324,7 +324,8 @@ TEST_P(ReferenceOfScene, EveryPathIsWithinItsBoundInClearAirAndInFog) {
       EXPECT_LE(error.excluded, std::size_t{kWidth * kHeight / 400}) << measured;
     }
     // With the lamps' points, which the reference leaves out.
-    renderer.set_fog(Fog::from_visibility(FogMode::exp, scene.visibilities[0]));
+    renderer.set_atmosphere(
+        renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, scene.visibilities[0])));
     renderer.draw();
     const Picture picture = renderer.read();
     EXPECT_TRUE(std::ranges::all_of(picture.rgb, [](float value) { return std::isfinite(value) && value >= 0; }))
@@ -343,7 +344,7 @@ RenderSettings by_airlight(const LightingPath& path = lighting_paths().front()) 
 
 /// Draws a scene in a fog and compares it with its reference.
 PictureError error_in(Renderer& renderer, const Fog& fog) {
-  renderer.set_fog(fog);
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
   renderer.draw(LightPoints::off);
   return picture_error(renderer.read(), shade_reference(renderer));
 }
@@ -485,7 +486,7 @@ TEST_F(ReferencePictureTest, OddLampsAreWithinTheBoundsOfTheirPaths) {
   for (const LightingPath& path : lighting_paths()) {
     if (path.evaluation == Evaluation::vertex) continue;
     Renderer renderer(scene, kWidth, kHeight, {.skipping = Skipping::off, .path = &path});
-    renderer.set_fog(Fog::from_visibility(FogMode::exp, 60.0));
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 60.0)));
     renderer.draw(LightPoints::off);
     const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
     EXPECT_LE(error.beyond_maps, kLookupBound.beyond_maps) << path.name;
@@ -571,7 +572,7 @@ TEST_F(ReferencePictureTest, AirlightOfALampAtTheEyeToTheLastBitIsThatOfTheRefer
 TEST_F(ReferencePictureTest, AirlightOfForwardAndBackwardScatteringFogIsThatOfTheReference) {
   for (const double asymmetry : {-0.8, 0.8}) {
     Scene scene = floor_and_lamp(bright_lamp());
-    scene.phase.asymmetry = asymmetry;
+    scene.atmosphere.phase.asymmetry = asymmetry;
     expect_airlight_of_reference(scene, fmt::format("g = {}", asymmetry));
   }
 }
@@ -581,7 +582,7 @@ TEST_F(ReferencePictureTest, AirlightOfForwardAndBackwardScatteringFogIsThatOfTh
 TEST_F(ReferencePictureTest, AirlightOfDirectionalFogAtEdgesIsThatOfTheReference) {
   for (const double g : {0.8, -0.8}) {
     Scene scene = read_scene(bundled_scene_path("street"));
-    scene.phase.asymmetry = g;
+    scene.atmosphere.phase.asymmetry = g;
     Renderer renderer(scene, 48, 27, by_airlight());
     const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp2, 1500));
     fmt::print("g {:4.1f}: largest {:6.3f}, {} excluded\n", g, error.largest, error.excluded);
@@ -616,7 +617,7 @@ TEST_F(ReferencePictureTest, AirlightOfManyLampsBeyondTheirExtentsIsThatOfTheRef
   for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
     const Fog fog = Fog::from_visibility(mode, 1500);
     Renderer renderer(scene, 24, 14, {.fog_lighting = FogLighting::airlight, .samples = 1});
-    renderer.set_fog(fog);
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
     renderer.draw(LightPoints::off);
     const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
     double cut_off = 0;  // of a ray over the lamps
@@ -624,8 +625,8 @@ TEST_F(ReferencePictureTest, AirlightOfManyLampsBeyondTheirExtentsIsThatOfTheRef
     const EyeRay ray{.origin = scene.camera.position, .direction = glm::normalize(glm::dvec3(0, 0.15, -1))};
     const measure::PathModel model(renderer);
     for (const ReferenceLight& light : model.lights()) {
-      whole += light.airlight(fog, ray, {});
-      cut_off += reference_airlight(light.placed, fog, ray);
+      whole += light.airlight({fog}, ray);
+      cut_off += reference_airlight(light.placed, {fog}, ray);
     }
     const double steps = 255 * (srgb_from_linear(whole) - srgb_from_linear(cut_off));
     fmt::print("{}: largest error {:.3f} steps; extents would cut off {:.1f}\n", name_of(mode), error.largest, steps);
@@ -639,7 +640,7 @@ TEST_F(ReferencePictureTest, AirlightOfFaintLampsIsThatOfTheReferenceAtAHighExpo
   constexpr double kExposure = 8;
   const Scene scene = read_scene(bundled_scene_path("headlights"));
   Renderer renderer(scene, 32, 18, {.fog_lighting = FogLighting::airlight, .samples = 1});
-  renderer.set_fog(Fog::from_visibility(FogMode::exp, 2000));
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 2000)));
   renderer.set_exposure({.ev = kExposure});
   renderer.draw(LightPoints::off);
   const PictureError error = picture_error(renderer.read(), shade_reference(renderer), kExposure);

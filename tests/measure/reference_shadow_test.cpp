@@ -71,7 +71,7 @@ TEST_F(ReferenceShadow, ShadowOfABoxEndsWhereItDoesInClosedForm) {
   ASSERT_NEAR(bounds(scene.models[1]).high.y, 1, 1e-6);  // on its origin
   Renderer renderer(scene, 32, 18, {.shadows = Shadows::surfaces});
   const ReferenceShadows shadows(renderer);
-  const ReferenceLight light = reference_lights(scene, Fog{}, RenderSettings{}).at(0);
+  const ReferenceLight light = reference_lights(scene, {}, RenderSettings{}).at(0);
   const auto edge = [](double box, double lamp) { return lamp + 2 * (box - lamp); };
   for (const double gap : {-1e-5, 1e-5}) {
     for (const double across : {-0.3, 0.0, 0.4}) {
@@ -94,7 +94,7 @@ TEST_F(ReferenceShadow, LitStretchesOfARayEndAtTheShadowInClosedForm) {
   Renderer renderer(scene, 32, 18, {.shadows = Shadows::shafts});
   const ReferenceShadows shadows(renderer);
   const RenderSettings by_airlight{.fog_lighting = FogLighting::airlight};
-  const ReferenceLight light = reference_lights(scene, Fog{}, by_airlight).at(0);
+  const ReferenceLight light = reference_lights(scene, {}, by_airlight).at(0);
   // At height 1 the shadow is 5/3 m wide.
   const auto stretches = shadows.lit_stretches(light, {.origin = {-4, 1, 0}, .direction = {1, 0, 0}, .length = 9});
   ASSERT_EQ(stretches.size(), 2u);
@@ -269,7 +269,7 @@ Scene posts_in_fog() {
     scene.instances.push_back({1, glm::translate(glm::mat4(1), glm::vec3(1.5f * float(i), 0, 1))});
   scene.lights = {lamp_at({0.3, 2.2, -2}, {0.3, 2, 5}, Cone::smoothstep(0.3, 0.9)),
                   lamp_at({0.5, 4.5, -1}, {0, 0, 0}, {})};
-  scene.fog_top = 30;
+  scene.atmosphere.top = 30;
   return scene;
 }
 
@@ -290,7 +290,7 @@ TEST_F(ReferenceShadow, ShaftsComeNearToRaysAsStepsGrow) {
     Renderer renderer(
         scene, kWidth, kHeight,
         {.fog_lighting = FogLighting::airlight, .samples = 1, .shadows = Shadows::shafts, .shaft_steps = bound.steps});
-    renderer.set_fog(fog);
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
     renderer.draw(LightPoints::off);
     if (!reference) reference = shade_reference(renderer);
     const PictureError error = picture_error(renderer.read(), *reference);
@@ -302,7 +302,7 @@ TEST_F(ReferenceShadow, ShaftsComeNearToRaysAsStepsGrow) {
     EXPECT_EQ(error.excluded, 0u) << measured;
   }
   Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = FogLighting::airlight, .samples = 1});
-  renderer.set_fog(fog);
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
   renderer.draw(LightPoints::off);
   const PictureError without = picture_error(renderer.read(), *reference);
   fmt::print("without shafts: largest {:.2f}, mean {:.3f}\n", without.largest, without.mean);
@@ -317,7 +317,7 @@ TEST_F(ReferenceShadow, ShaftsOfHeadlightsAreWithinTwoAndAHalfStepsOfRays) {
       glm::vec3(glm::dvec3(scene.camera.position) + axes.forward - 0.244 * axes.right + 0.134 * axes.up);
   scene.camera.field_of_view = 0.2195f;
   Renderer renderer(scene, 24, 14, {.fog_lighting = FogLighting::airlight, .shadows = Shadows::shafts});
-  renderer.set_fog(Fog::from_visibility(FogMode::exp, 400.0));
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 400.0)));
   renderer.draw(LightPoints::off);
   const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
   fmt::print("largest {:.2f}, mean {:.4f}, {} excluded\n", error.largest, error.mean, error.excluded);

@@ -26,11 +26,11 @@ double error_of(const AirlightCase& c, const Cookie* cookie) {
     const glm::dvec3 right =
         glm::normalize(glm::cross(axis, std::abs(axis.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0)));
     const glm::dmat3 turn = glm::transpose(glm::dmat3(right, glm::cross(right, axis), -axis));
-    fast = airlight(c.light, *cookie, turn, c.fog, c.ray, c.scattering);
-    expected = reference_airlight(c.light, *cookie, turn, c.fog, c.ray, c.scattering);
+    fast = airlight(c.light, *cookie, turn, c.atmosphere, c.ray, c.lamp_leg);
+    expected = reference_airlight(c.light, *cookie, turn, c.atmosphere, c.ray, c.lamp_leg);
   } else {
-    fast = airlight(c.light, c.fog, c.ray, c.scattering);
-    expected = reference_airlight(c.light, c.fog, c.ray, c.scattering);
+    fast = airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
+    expected = reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
   }
   return std::abs(fast - expected) / std::max(expected, 1.0);
 }

@@ -29,11 +29,11 @@ TEST(CookieAirlight, WhiteCookieIsAPointLight) {
   for (int i = 0; i < 300; ++i) {
     const AirlightCase c = draw_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
     const glm::dmat3 turn = cookie_from_world_of(c, random);
-    const double expected = reference_airlight(c.light, c.fog, c.ray, c.scattering);
-    EXPECT_LE(std::abs(reference_airlight(c.light, white, turn, c.fog, c.ray, c.scattering) - expected),
+    const double expected = reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
+    EXPECT_LE(std::abs(reference_airlight(c.light, white, turn, c.atmosphere, c.ray, c.lamp_leg) - expected),
               kReferenceAirlightMaxError * expected + 1e-19)
         << to_string(c);
-    EXPECT_NEAR(airlight(c.light, white, turn, c.fog, c.ray, c.scattering), expected, kCookieAirlightMaxError)
+    EXPECT_NEAR(airlight(c.light, white, turn, c.atmosphere, c.ray, c.lamp_leg), expected, kCookieAirlightMaxError)
         << to_string(c);
   }
 }
@@ -46,8 +46,8 @@ TEST(CookieAirlight, SmoothCookieHasItsStatedError) {
     AirlightCase c = draw_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
     c.light.direction = draw_direction(random);
     const glm::dmat3 turn = cookie_from_world_of(c, random);
-    const double expected = reference_airlight(c.light, cookie, turn, c.fog, c.ray, c.scattering);
-    error.add(std::abs(airlight(c.light, cookie, turn, c.fog, c.ray, c.scattering) - expected) * 255,
+    const double expected = reference_airlight(c.light, cookie, turn, c.atmosphere, c.ray, c.lamp_leg);
+    error.add(std::abs(airlight(c.light, cookie, turn, c.atmosphere, c.ray, c.lamp_leg) - expected) * 255,
               [&] { return to_string(c); });
   }
   error.check();
@@ -59,9 +59,9 @@ TEST(CookieAirlight, ReferenceFollowsEachTexel) {
   for (int i = 0; i < 20; ++i) {
     AirlightCase c;
     c.light.light.attenuation = {2, 0, 0};
-    c.fog = {FogMode::exp, 0.3};
+    c.atmosphere.fog = {FogMode::exp, 0.3};
     c.ray = {{0, 0, 0}, draw_direction(random), 5};
-    c.scattering.lamp_leg = LampLeg::clear;
+    c.lamp_leg = LampLeg::clear;
     c.light.position = draw_direction(random) * 1.5;
     const glm::dmat3 turn = cookie_from_world_of(c, random);
     const auto direction_at = [&](double s) { return turn * (s * c.ray.direction - c.light.position); };
@@ -91,7 +91,7 @@ TEST(CookieAirlight, ReferenceFollowsEachTexel) {
       expected += integral(jump == to ? from : jump, to);
       from = to;
     }
-    EXPECT_LE(relative_error(reference_airlight(c.light, noise, turn, c.fog, c.ray, c.scattering), expected),
+    EXPECT_LE(relative_error(reference_airlight(c.light, noise, turn, c.atmosphere, c.ray, c.lamp_leg), expected),
               kReferenceAirlightMaxError);
   }
 }

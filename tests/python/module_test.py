@@ -84,7 +84,7 @@ class SolveTest(unittest.TestCase):
     def test_values_are_read_back_from_repr_and_pickle(self):
         light = litfog.Light("a", (1, 0.5, 0), litfog.Attenuation(0.5, 0.1, 2), 0.1, litfog.Cone.cosine(0.3, 7), 0.4)
         placed = litfog.PlacedLight(light, (1, 2, 3), (1, 0, 0), True)
-        for value in (placed, litfog.Fog(litfog.FogMode.exp2, 0.25), litfog.Scattering(litfog.LampLeg.clear, litfog.Phase(0.5))):
+        for value in (placed, litfog.Fog(litfog.FogMode.exp2, 0.25), litfog.Atmosphere(litfog.Fog(density=1), litfog.Phase(0.5), 7)):
             self.assertEqual(repr(eval(repr(value))), repr(value))
             self.assertEqual(repr(pickle.loads(pickle.dumps(value))), repr(value))
             self.assertEqual(repr(copy.deepcopy(value)), repr(value))
@@ -236,7 +236,7 @@ class SolveTest(unittest.TestCase):
                 with self.assertRaises(TypeError):
                     function(np.array([1, 2, 3], "m8[s]"))
         with self.assertRaisesRegex(ValueError, "^rays: must hold no masked values"):
-            litfog.airlight(placed, litfog.Fog(), rays)
+            litfog.airlight(placed, litfog.Atmosphere(), rays)
         with self.assertRaisesRegex(ValueError, "^range: must hold no masked values"):
             litfog.attenuation_at(litfog.Attenuation(), [masked([1, 2]), [3, 4]])
         with self.assertRaisesRegex(ValueError, "^range: must hold no masked values"):
@@ -426,6 +426,7 @@ class RuleTest(unittest.TestCase):
 class AirlightTest(unittest.TestCase):
     def setUp(self):
         self.fog = litfog.Fog.from_visibility(litfog.FogMode.exp, 1500)
+        self.air = litfog.Atmosphere(self.fog)
         self.light = litfog.PlacedLight(litfog.Light(attenuation=litfog.Attenuation(1, 0, 9.5e-5)), (0, 30, -200))
 
     def test_rays_of_any_shape_are_read_and_written_where_they_lie(self):
@@ -433,19 +434,19 @@ class AirlightTest(unittest.TestCase):
         rays["direction"] = (0, 0, -1)
         rays["length"] = np.linspace(10, 1000, 15).reshape(3, 5)
         rays[0, 0]["length"] = math.inf
-        airlights = litfog.airlight(self.light, self.fog, rays)
+        airlights = litfog.airlight(self.light, self.air, rays)
         self.assertEqual(airlights.shape, (3, 5))
         self.assertAlmostEqual(airlights[0, 0], 0.256, 3)  # as the README's program prints it
         self.assertTrue(np.all(np.diff(airlights.ravel()[1:]) >= 0))
         out = np.zeros((3, 5))
-        self.assertIs(litfog.airlight(self.light, self.fog, rays, out=out), out)
+        self.assertIs(litfog.airlight(self.light, self.air, rays, out=out), out)
         many, written = np.zeros(2000, litfog.EYE_RAY), np.zeros(2000)
         many["direction"] = (1, 0, 0)
-        self.assertLess(allocated_by(lambda: litfog.airlight(self.light, self.fog, many, out=written)), 10_000)
+        self.assertLess(allocated_by(lambda: litfog.airlight(self.light, self.air, many, out=written)), 10_000)
         np.testing.assert_array_equal(out, airlights)
-        single = litfog.airlight(self.light, self.fog, rays[0, :1])
+        single = litfog.airlight(self.light, self.air, rays[0, :1])
         self.assertEqual(single[0], airlights[0, 0])
-        forward = litfog.airlight(self.light, self.fog, rays, litfog.Scattering(phase=litfog.Phase(0.8)))
+        forward = litfog.airlight(self.light, litfog.Atmosphere(self.air.fog, litfog.Phase(0.8)), rays)
         self.assertTrue(np.all(forward != airlights))
 
     def test_rays_that_do_not_fit_are_refused_before_results_are_written(self):
@@ -453,14 +454,14 @@ class AirlightTest(unittest.TestCase):
         rays["direction"] = [(0, 0, -1), (0, 0, -2)]
         out = np.full(2, 7.0)
         with self.assertRaisesRegex(ValueError, "length must be 1 within 1e-6"):
-            litfog.airlight(self.light, self.fog, rays, out=out)
+            litfog.airlight(self.light, self.air, rays, out=out)
         np.testing.assert_array_equal(out, [7, 7])
         with self.assertRaisesRegex(TypeError, "^rays: must be a NumPy array of .*origin.*, is one of float64$"):
-            litfog.airlight(self.light, self.fog, np.zeros((2, 7)))
+            litfog.airlight(self.light, self.air, np.zeros((2, 7)))
         with self.assertRaisesRegex(ValueError, r"^out: must have the shape \(2,\), has \(3,\)$"):
-            litfog.airlight(self.light, self.fog, rays, out=np.zeros(3))
+            litfog.airlight(self.light, self.air, rays, out=np.zeros(3))
         with self.assertRaisesRegex(ValueError, "^out: must not overlap rays$"):
-            litfog.airlight(self.light, self.fog, rays, out=rays.view(np.float64)[:2])
+            litfog.airlight(self.light, self.air, rays, out=rays.view(np.float64)[:2])
 
     def test_reach_holds_what_shows(self):
         reach = litfog.light_reach(self.light.light, self.fog, 1 / 255)

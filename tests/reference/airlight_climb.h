@@ -46,15 +46,16 @@ inline AirlightCase case_at(const ClimbPoint& point, const ClimbKind& kind) {
   };
   const auto [g, c, l, q, threshold, visibility, approach, offset, length, axial, turn, angle, sharpness] = point;
   AirlightCase made;
-  made.scattering = {.lamp_leg = kind.lamp_leg, .phase = {kind.is_directional ? 1.8 * g - 0.9 : 0}};
+  made.lamp_leg = kind.lamp_leg;
+  made.atmosphere.phase.asymmetry = kind.is_directional ? 1.8 * g - 0.9 : 0;
   Light& light = made.light.light;
   light.attenuation.constant = c < 0.15 ? 0 : c < 0.55 ? (c - 0.15) / 0.4 : c < 0.75 ? 1 : between(4 * c - 3, 1, 5);
   light.attenuation.linear = one_or(l, 0.2, 0, 1e-4, 3);
   light.attenuation.quadratic = one_or(q, 0.2, 0, 1e-6, 3);
   if (light.attenuation == Attenuation{0, 0, 0}) light.attenuation.constant = 1;
   light.threshold = between(threshold, 1e-6, 0.9);
-  made.fog = Fog::from_visibility(kind.mode, between(visibility, 0.05, 1e5));
-  const double fog_scale = 1 / made.fog.density;
+  made.atmosphere.fog = Fog::from_visibility(kind.mode, between(visibility, 0.05, 1e5));
+  const double fog_scale = 1 / made.atmosphere.fog.density;
   made.light.position.x = -fog_scale * one_or(offset, 0.05, 0, 1e-5, 30);
   made.light.position.z = approach < 0.7 ? -fog_scale * one_or(approach / 0.7, 0.07, 0, 1e-4, 30)
                                          : fog_scale * between((approach - 0.7) / 0.3, 1e-4, 30);

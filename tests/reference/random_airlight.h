@@ -17,12 +17,12 @@ namespace litfog::test {
 
 inline constexpr std::array kLampLegs{LampLeg::clear, LampLeg::fogged};
 
-/// A light, a fog and a ray: the arguments of airlight().
+/// A light, the air and a ray: the arguments of airlight().
 struct AirlightCase {
   PlacedLight light;
-  Fog fog;
+  Atmosphere atmosphere;
   EyeRay ray;
-  Scattering scattering;
+  LampLeg lamp_leg = LampLeg::fogged;
 };
 
 inline std::string to_string(const AirlightCase& c) {
@@ -34,11 +34,11 @@ inline std::string to_string(const AirlightCase& c) {
   std::snprintf(text, sizeof text,
                 "; k = %d, g = %.17g, cone %d: half angle %.17g, exponent %.17g, inner %.17g, outer %.17g; approach "
                 "%.17g, offset %.17g, axis %.17g along the ray, %.17g to it, length %.17g",
-                c.scattering.lamp_leg == LampLeg::fogged, c.scattering.phase.asymmetry, int(cone.profile),
-                cone.half_angle, cone.exponent, cone.inner, cone.outer, approach,
-                glm::length(to_light - approach * c.ray.direction), glm::dot(c.light.direction, c.ray.direction),
+                c.lamp_leg == LampLeg::fogged, c.atmosphere.phase.asymmetry, int(cone.profile), cone.half_angle,
+                cone.exponent, cone.inner, cone.outer, approach, glm::length(to_light - approach * c.ray.direction),
+                glm::dot(c.light.direction, c.ray.direction),
                 glm::dot(c.light.direction, approach * c.ray.direction - to_light), c.ray.length);
-  return to_string(SolveCase{light.attenuation, c.fog, light.threshold}) + text;
+  return to_string(SolveCase{light.attenuation, c.atmosphere.fog, light.threshold}) + text;
 }
 
 inline glm::dvec3 draw_perpendicular(Random& random, const glm::dvec3& direction) {
@@ -53,7 +53,7 @@ inline glm::dvec3 draw_perpendicular(Random& random, const glm::dvec3& direction
 /// C is 0 to 5, L 0 or 1e-4 to 3, Q 0 or 1e-6 to 3, the threshold 1e-6 to 0.9, the visibility 5 cm to 100 km.
 inline AirlightCase draw_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
   AirlightCase c;
-  c.scattering.lamp_leg = lamp_leg;
+  c.lamp_leg = lamp_leg;
   Light& light = c.light.light;
   Attenuation& attenuation = light.attenuation;
   do {
@@ -65,11 +65,12 @@ inline AirlightCase draw_airlight_case(Random& random, FogMode mode, LampLeg lam
     attenuation.quadratic = random.chance(0.25) ? 0 : random.log_uniform(1e-6, 3);
     light.threshold = random.chance(0.5) ? 0.05 : random.log_uniform(1e-6, 0.9);
   } while (check(attenuation) || compute_extent(attenuation, light.threshold) == 0);
-  c.fog = Fog::from_visibility(mode, random.chance(0.05) ? random.log_uniform(0.05, 3) : random.log_uniform(3, 1e5));
+  c.atmosphere.fog =
+      Fog::from_visibility(mode, random.chance(0.05) ? random.log_uniform(0.05, 3) : random.log_uniform(3, 1e5));
 
   const double extent = compute_extent(attenuation, light.threshold);
   const double knee = compute_knee(attenuation);
-  const double sizes[]{extent, knee, 1 / c.fog.density, random.log_uniform(0.1, 2000)};
+  const double sizes[]{extent, knee, 1 / c.atmosphere.fog.density, random.log_uniform(0.1, 2000)};
   double size = random.chance(0.5) ? extent : random.pick(sizes);
   if (!(size > 0 && size < 1e6)) size = 10;
   const double approach =
@@ -89,11 +90,11 @@ inline AirlightCase draw_airlight_case(Random& random, FogMode mode, LampLeg lam
 /// of visibility, and rays that pass outside the knee.
 inline AirlightCase draw_inverse_square_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
   AirlightCase c;
-  c.scattering.lamp_leg = lamp_leg;
+  c.lamp_leg = lamp_leg;
   const double knee = random.log_uniform(0.1, 10);
   c.light.light.attenuation = {0, 0, 1 / (knee * knee)};
   c.light.light.threshold = 1e-6;
-  c.fog = Fog::from_visibility(mode, random.log_uniform(3, 1e5));
+  c.atmosphere.fog = Fog::from_visibility(mode, random.log_uniform(3, 1e5));
   const double offset = knee * random.log_uniform(1.001, 100);
   const double approach = (random.chance(0.25) ? -1 : 1) * knee * random.log_uniform(0.1, 300);
   c.ray.direction = draw_direction(random);
@@ -114,8 +115,8 @@ inline AirlightCase draw_region_airlight_case(Random& random, const LampRegion& 
                                               LampLeg lamp_leg) {
   constexpr double kScale = 10;  // metres
   AirlightCase c;
-  c.scattering.lamp_leg = lamp_leg;
-  c.fog = {mode, 1 / kScale};
+  c.lamp_leg = lamp_leg;
+  c.atmosphere.fog = {mode, 1 / kScale};
   Light& light = c.light.light;
   const double constant = random.chance(0.15)  ? 0
                           : random.chance(0.4) ? random.uniform(0, 1)
@@ -176,7 +177,8 @@ inline AirlightCase draw_coincident_airlight_case(Random& random, FogMode mode, 
   constexpr std::array kAngles{5., 20., 30., 45., 60., 90., 120., 135., 180.};
   constexpr std::array kWorldAxes{glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1)};
   AirlightCase c;
-  c.scattering = {.lamp_leg = lamp_leg, .phase = {random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9)}};
+  c.lamp_leg = lamp_leg;
+  c.atmosphere.phase.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
   Light& light = c.light.light;
   light.attenuation = {random.pick(std::array{0., 0.4, 1., 1.5}), random.chance(0.5) ? 0 : random.log_uniform(1e-3, 1),
                        random.log_uniform(1e-3, 1)};
@@ -191,7 +193,7 @@ inline AirlightCase draw_coincident_airlight_case(Random& random, FogMode mode, 
                                                      std::min(radians(angle), std::numbers::pi));
   c.light.direction = random.chance(0.5) ? random.pick(kWorldAxes) : draw_direction(random);
   c.light.position = random.chance(0.5) ? glm::dvec3(0, 2, 0) : 10. * draw_direction(random);
-  c.fog = Fog::from_visibility(mode, random.log_uniform(1, 1000));
+  c.atmosphere.fog = Fog::from_visibility(mode, random.log_uniform(1, 1000));
 
   const double cutoff = cutoff_angle(light.cone);
   const glm::dvec3 side = draw_perpendicular(random, c.light.direction);

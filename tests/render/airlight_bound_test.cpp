@@ -18,22 +18,22 @@ TEST(RenderAirlightBound, NoMoreThanTheBudgetComesFromBehindTheEnd) {
   int attacked = 0;
   for (int i = 0; i < 2000; ++i) {
     AirlightCase c = draw_airlight_case(random, random.pick(kModes), LampLeg::fogged);
-    c.scattering.phase.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
+    c.atmosphere.phase.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
     Light& light = c.light.light;
     light.color = glm::dvec3(random.log_uniform(0.01, 100));
     const double budget = random.log_uniform(1e-8, 1e-3);
     const glm::dvec3 to_light = c.light.position - c.ray.origin;
     const AirlightBound bound(c.light, compute_extent(light.attenuation, light.threshold), c.fog,
-                              largest_phase(c.scattering.phase), c.ray.origin);
+                              largest_phase(c.atmosphere.phase), c.ray.origin);
     const double end = bound.end(budget);
     if (std::isinf(end)) continue;
     if (glm::length(to_light) > 0 && random.chance(0.5)) {  // close to the light, where it is brightest
       c.ray.direction = glm::normalize(glm::normalize(to_light) + 0.05 * draw_direction(random));
     }
     c.ray.length = kInfinity;
-    const double whole = reference_airlight(c.light, c.fog, c.ray, c.scattering);
+    const double whole = reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
     c.ray.length = end * random.uniform(1, 1.2);
-    const double before = reference_airlight(c.light, c.fog, c.ray, c.scattering);
+    const double before = reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
     EXPECT_LE(light.color.r * (whole - before), budget + 1e-9 * light.color.r * whole) << to_string(c) << ", " << end;
     attacked += light.color.r * whole > budget;
   }

@@ -21,11 +21,11 @@ namespace {
 constexpr double kPixelsPerRadian = 800;
 constexpr double kExposure = 2;
 
-AirlightList list(const PlacedLight& light, const Fog& fog, const glm::dvec3& eye, const Scattering& scattering = {}) {
+AirlightList list(const PlacedLight& light, const Atmosphere& atmosphere, const glm::dvec3& eye) {
   scene::Scene scene;
   scene.lights = {light};
   const SceneLights lights(scene, {.path = &lighting_paths().front(), .fog_lighting = FogLighting::airlight});
-  return list_airlight(lights, fog, scattering, eye, kPixelsPerRadian, kExposure);
+  return list_airlight(lights, atmosphere, eye, kPixelsPerRadian, kExposure);
 }
 
 PlacedLight lamp(const glm::dvec3& position) {
@@ -41,8 +41,8 @@ double passing_range(const PlacedLight& light, const EyeRay& ray) {
 TEST(AirlightList, LightsThatTheFogHidesAreLeftOut) {
   for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
     const Fog fog{mode, 0.1};
-    EXPECT_EQ(list(lamp({0, 0, -20}), fog, {}).entries.size(), 1u);
-    EXPECT_TRUE(list(lamp({0, 0, -400}), fog, {}).entries.empty());
+    EXPECT_EQ(list(lamp({0, 0, -20}), {fog}, {}).entries.size(), 1u);
+    EXPECT_TRUE(list(lamp({0, 0, -400}), {fog}, {}).entries.empty());
     EXPECT_TRUE(list(lamp({0, 0, -20}), {mode, 0}, {}).entries.empty()) << "clear air";
   }
 }
@@ -57,8 +57,8 @@ TEST(AirlightList, RayBeyondTheReachShowsLessThanTheBudget) {
     AirlightCase c = draw_airlight_case(random, mode, LampLeg::fogged);
     Light& light = c.light.light;
     light.color = glm::dvec3(random.log_uniform(0.01, 100));
-    c.scattering.phase.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
-    const AirlightList found = list(c.light, c.fog, c.ray.origin, c.scattering);
+    c.atmosphere.phase.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
+    const AirlightList found = list(c.light, c.atmosphere, c.ray.origin);
     const double reach = found.entries.empty() ? 0 : double(found.entries.front().reach);
     listed += int(found.entries.size());
     light.threshold = threshold_of(light, {.fog_lighting = FogLighting::airlight});
@@ -67,7 +67,7 @@ TEST(AirlightList, RayBeyondTheReachShowsLessThanTheBudget) {
       c.ray.direction = draw_direction(random);
       if (!(passing_range(c.light, c.ray) > reach * (1 + 1e-6))) continue;
       ++beyond;
-      EXPECT_LE(light.color.r * reference_airlight(c.light, c.fog, c.ray, c.scattering), budget * (1 + 1e-9))
+      EXPECT_LE(light.color.r * reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg), budget * (1 + 1e-9))
           << to_string(c) << ", reach " << reach;
     }
   }
@@ -88,7 +88,7 @@ TEST(AirlightList, RayShowsLessThanItsShareOfAllLightsThatItLacks) {
   const RenderSettings settings{.fog_lighting = FogLighting::airlight};
   const SceneLights lights(scene, settings);
   for (const double exposure : {-6.0, 0.0, 6.0}) {
-    const AirlightList found = list_airlight(lights, fog, {}, {}, kPixelsPerRadian, exposure);
+    const AirlightList found = list_airlight(lights, {fog}, {}, kPixelsPerRadian, exposure);
     std::vector<double> reaches(scene.lights.size(), 0.0);
     for (const AirlightEntry& entry : found.entries) reaches[std::size_t(entry.light)] = double(entry.reach);
     double worst = 0;
@@ -98,7 +98,7 @@ TEST(AirlightList, RayShowsLessThanItsShareOfAllLightsThatItLacks) {
       for (std::size_t i = 0; i < reaches.size(); ++i) {
         const PlacedLight& light = lights.lights()[i];
         if (!(passing_range(light, seen) > reaches[i])) continue;
-        lacking += light.light.color.r * reference_airlight(light, fog, seen);
+        lacking += light.light.color.r * reference_airlight(light, {fog}, seen);
       }
       worst = std::max(worst, lacking / visible_step(exposure));
     }
@@ -128,7 +128,7 @@ TEST(AirlightList, LightsOfAProfileLieTogether) {
   scene.lights = {lamp({0, 0, -20}), lamp({1, 0, -20}), lamp({2, 0, -20})};
   scene.lights[1].light.cone = Cone::smoothstep(0.1, 0.2);
   const SceneLights lights(scene, {.path = &lighting_paths().front(), .fog_lighting = FogLighting::airlight});
-  const AirlightList found = list_airlight(lights, {FogMode::exp, 0.01}, {}, {}, kPixelsPerRadian, kExposure);
+  const AirlightList found = list_airlight(lights, {{FogMode::exp, 0.01}}, {}, kPixelsPerRadian, kExposure);
   ASSERT_EQ(found.ranges.size(), 2u);
   EXPECT_EQ(found.ranges[0].kind.profile, 0);
   EXPECT_EQ(found.ranges[0].count, 2u);

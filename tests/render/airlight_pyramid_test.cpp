@@ -49,7 +49,7 @@ TEST_F(AirlightPyramidTest, ErrorsOfAllLampsTogetherStayBelowAStepAtEveryExposur
     const Scene scene = read_scene(bundled_scene_path(name));
     Renderer renderer(scene, width, height,
                       {.skipping = Skipping::off, .fog_lighting = FogLighting::airlight, .samples = 1});
-    renderer.set_fog(Fog::from_visibility(FogMode::exp, visibility));
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, visibility)));
     std::size_t drawn_before = scene.lights.size();
     for (const double exposure : {6.0, 0.0, -6.0}) {
       renderer.set_exposure({.ev = exposure});

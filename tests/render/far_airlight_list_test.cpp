@@ -22,12 +22,12 @@ namespace {
 const RenderSettings kByAirlight{.fog_lighting = FogLighting::airlight};
 
 /// What a light adds beyond its extent to a ray from a distance from its origin on.
-double far_airlight(PlacedLight light, const Fog& fog, EyeRay ray, const Scattering& scattering, double from) {
+double far_airlight(PlacedLight light, const Atmosphere& atmosphere, EyeRay ray, double from) {
   const double end = light.light.threshold;
   const auto within = [&](double threshold, double length) {
     light.light.threshold = threshold;
     ray.length = length;
-    return reference_airlight(light, fog, ray, scattering);
+    return reference_airlight(light, atmosphere, ray);
   };
   constexpr double kWhole = std::numeric_limits<double>::infinity();
   constexpr double kEndless = 1e-12;
@@ -56,17 +56,17 @@ TEST(FarAirlightList, RayShowsNoMoreThanAThirdOfTheShareOfALightThatIsLeftOutOrB
     AirlightCase c = random.chance(0.5) ? draw_airlight_case(random, mode, LampLeg::fogged)
                                         : draw_spot_airlight_case(random, mode, LampLeg::fogged);
     c.light.light.color = glm::dvec3(random.log_uniform(0.01, 100));
-    c.scattering.phase.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
+    c.atmosphere.phase.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
     scene::Scene scene;
     scene.lights = {c.light};
     const SceneLights lights(scene, kByAirlight);
     if (lights.size() == 0) continue;
-    const FarAirlightList list = list_far_airlight(lights, c.fog, c.scattering, c.ray.origin, kExposure);
+    const FarAirlightList list = list_far_airlight(lights, c.atmosphere, c.ray.origin, kExposure);
     ++(list.lights.empty() ? left_out : listed);
     const double end = list.lights.empty() ? 0 : end_of(list, 0);
     if (end >= double(kSkyDistance)) continue;
     const PlacedLight& light = lights.lights()[0];
-    const double beyond = light.light.color.r * far_airlight(light, c.fog, c.ray, c.scattering, end);
+    const double beyond = light.light.color.r * far_airlight(light, c.atmosphere, c.ray, end);
     EXPECT_LE(beyond, budget * (1 + 1e-6)) << to_string(c) << ", end " << end;
     most = std::max(most, beyond / budget);
   }
@@ -89,7 +89,7 @@ TEST(FarAirlightList, RayShowsNoMoreThanItsShareOfAllThatIsLeftOutOfManyLights) 
     scene.lights.push_back(light);
   }
   const SceneLights lights(scene, kByAirlight);
-  const FarAirlightList list = list_far_airlight(lights, fog, {}, {}, 0);
+  const FarAirlightList list = list_far_airlight(lights, {fog}, {}, 0);
   ASSERT_GT(list.lights.size(), 50u);
   ASSERT_LT(list.lights.size(), 300u);
   const auto is_cut = [&](std::int32_t light) { return end_of(list, light) < list.depth; };
@@ -102,7 +102,7 @@ TEST(FarAirlightList, RayShowsNoMoreThanItsShareOfAllThatIsLeftOutOfManyLights) 
     for (std::size_t light = 0; light < lights.size(); ++light) {
       const bool is_listed = std::ranges::find(list.lights, std::int32_t(light)) != list.lights.end();
       lacking += lights.lights()[light].light.color.r *
-                 far_airlight(lights.lights()[light], fog, ray, {}, is_listed ? end_of(list, std::int32_t(light)) : 0);
+                 far_airlight(lights.lights()[light], {fog}, ray, is_listed ? end_of(list, std::int32_t(light)) : 0);
     }
     worst = std::max(worst, lacking / visible_step(0));
   }
@@ -119,13 +119,13 @@ TEST(FarAirlightList, LightIsListedThatMattersOnlyToRaysThatTouchItsExtent) {
   light.position = {extent, 0, -20 * extent};
   const Fog fog{FogMode::exp, 1e-3 / extent};
   const EyeRay touching{.origin = {}, .direction = {0, 0, -1}};
-  const double beyond = far_airlight(light, fog, touching, {}, 0);
+  const double beyond = far_airlight(light, {fog}, touching, 0);
   const double inward = 2 * fog.density / extent;  // of a ray through the light: 2 times the integral of 1 / r^2
   EXPECT_GT(beyond, 1.4 * inward);
   light.light.color = glm::dvec3(1.05 * kFarShare / 3 * visible_step(0) / beyond);
   scene::Scene scene;
   scene.lights = {light};
-  EXPECT_EQ(list_far_airlight(SceneLights(scene, kByAirlight), fog, {}, {}, 0).lights.size(), 1u);
+  EXPECT_EQ(list_far_airlight(SceneLights(scene, kByAirlight), {fog}, {}, 0).lights.size(), 1u);
 }
 
 TEST(FarAirlightList, NothingIsListedInClearAirAndInTotalFogOrOfLightsThatCutShaftsOrHaveNoEnd) {
@@ -137,12 +137,12 @@ TEST(FarAirlightList, NothingIsListedInClearAirAndInTotalFogOrOfLightsThatCutSha
   const SceneLights lights(scene, kByAirlight);
   const Fog fog{FogMode::exp, 0.001};
   const std::vector<std::int32_t> casters{0};
-  ASSERT_EQ(list_far_airlight(lights, fog, {}, {}, 0).lights.size(), 1u);
-  EXPECT_EQ(list_far_airlight(lights, fog, {}, {}, 0, casters).depth, 0);
-  EXPECT_EQ(list_far_airlight(lights, {FogMode::exp, 0}, {}, {}, 0).depth, 0);
-  EXPECT_EQ(list_far_airlight(lights, {FogMode::exp, kInfinity}, {}, {}, 0).depth, 0);
+  ASSERT_EQ(list_far_airlight(lights, {fog}, {}, 0).lights.size(), 1u);
+  EXPECT_EQ(list_far_airlight(lights, {fog}, {}, 0, casters).depth, 0);
+  EXPECT_EQ(list_far_airlight(lights, {{FogMode::exp, 0}}, {}, 0).depth, 0);
+  EXPECT_EQ(list_far_airlight(lights, {{FogMode::exp, kInfinity}}, {}, 0).depth, 0);
   scene.lights[0].light.attenuation = {2, 0, 0};
-  EXPECT_EQ(list_far_airlight(SceneLights(scene, kByAirlight), fog, {}, {}, 0).depth, 0);
+  EXPECT_EQ(list_far_airlight(SceneLights(scene, kByAirlight), {fog}, {}, 0).depth, 0);
 }
 
 }  // namespace

@@ -65,7 +65,8 @@ TEST(LargestIrradiance, NoPointOfTheBoxGetsMore) {
     for (const FogLighting lighting : {FogLighting::peak, FogLighting::airlight}) {
       for (const char* name : {"unified", "lookup-3d", "radial"}) {
         const LightingPath& path = *find_lighting_path(name);
-        const double most = largest_irradiance(c.light.light, c.light.position, extent, c.fog, lighting, path, box);
+        const double most =
+            largest_irradiance(c.light.light, c.light.position, extent, c.atmosphere.fog, lighting, path, box);
         for (int j = 0; j < 5; ++j) {
           const glm::dvec3 t(random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1));
           const glm::dvec3 point = j == 0 ? glm::clamp(c.light.position, glm::dvec3(box.low), glm::dvec3(box.high))
@@ -77,7 +78,7 @@ TEST(LargestIrradiance, NoPointOfTheBoxGetsMore) {
                              : attenuation_at(c.light.light.attenuation, range);
           if (path.range == RangeLaw::radial && std::isinf(extent)) light = 1;
           if (lighting == FogLighting::airlight) {
-            light *= fog_factor_at(scaled(c.fog, c.light.light.density_scale), range);
+            light *= fog_factor_at(scaled(c.atmosphere.fog, c.light.light.density_scale), range);
           }
           EXPECT_LE(light, most * (1 + 1e-12)) << name << to_string(c);
           if (j == 0 && path.evaluation == Evaluation::fragment) {

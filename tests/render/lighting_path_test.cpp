@@ -76,7 +76,7 @@ std::vector<PlacedLight> lamps() {
 
 Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings) {
   Renderer renderer(scene, kWidth, kHeight, settings);
-  renderer.set_fog(fog);
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
   renderer.draw();
   return renderer.read();
 }
@@ -125,7 +125,7 @@ class Expected {
     };
     dvec3 surface = finish_.albedo * dvec3(environment.ambient_light) +
                     reflected(dvec3(environment.moon_direction)) * dvec3(environment.moon_color);
-    dvec3 fog_color = environment.ambient_fog_color;
+    dvec3 fog_color = scene_.atmosphere.ambient_fog_color;
     for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
       const auto& [light, position, direction, carried] = scene_.lights[i];
       const double range = glm::distance(point, position);
@@ -161,7 +161,7 @@ std::vector<double> worst_errors(const Scene& scene, const Finish& finish, const
   Renderer renderer(scene, kWidth, kHeight, settings);
   std::vector<double> errors;
   for (const Fog& fog : fogs) {
-    renderer.set_fog(fog);
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
     renderer.draw();
     const Picture picture = renderer.read();
     const Expected expected(scene, finish, settings, fog);
@@ -322,7 +322,7 @@ TEST_F(LightingPathPixels, LegacyFogHasOneColor) {
   scene.lights = lamps();
   const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, 0.1), settings("legacy"));
   for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(picture.rgb[std::size_t(c)], scene.environment.ambient_fog_color[c], kHalfFloat);
+    EXPECT_NEAR(picture.rgb[std::size_t(c)], scene.atmosphere.ambient_fog_color[c], kHalfFloat);
   }
 }
 
@@ -413,7 +413,7 @@ TEST_F(LightingPathPixels, ChangedMoonAndAmbientLightGiveThePictureOfANewRendere
       scene.lights.resize(2);
       Renderer renderer(scene, kWidth, kHeight, settings(path.name));
       const auto picture = [&] {
-        renderer.set_fog(fog);
+        renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
         renderer.draw();
         return renderer.read();
       };

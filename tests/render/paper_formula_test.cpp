@@ -375,7 +375,7 @@ class PaperFormula : public test::GlTest {
     Scene scene = wall(setting);
     if (change) change(scene.materials[0]);
     Renderer renderer(scene, kWidth, kHeight, settings);
-    renderer.set_fog({.mode = FogMode::exp2, .density = kDensity});
+    renderer.set_atmosphere(renderer.scene().atmosphere.with({.mode = FogMode::exp2, .density = kDensity}));
     renderer.draw(LightPoints::off);
     const Picture picture = renderer.read();
     std::vector<double> intensities;
@@ -636,7 +636,7 @@ TEST_F(PaperFormula, NestedFlagsEndTheLightsOfEachSurface) {
     std::vector<Picture> pictures;
     for (const char* path : {"unified", "nested"}) {
       Renderer renderer(scene, 2 * kWidth, 2 * kHeight, along(path));
-      renderer.set_fog(Fog::from_visibility(FogMode::exp2, 100.0));
+      renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp2, 100.0)));
       renderer.draw();
       pictures.push_back(renderer.read());
     }
@@ -685,7 +685,7 @@ TEST_F(PaperFormula, SortedPolygonsMakeTheSamePicture) {
   std::vector<Picture> pictures;
   for (const Scene* drawn : {&scene, &sorted}) {
     Renderer renderer(*drawn, 2 * kWidth, 2 * kHeight, along("lookup-2d"));
-    renderer.set_fog(Fog::from_visibility(FogMode::exp2, 100.0));
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp2, 100.0)));
     renderer.draw();
     pictures.push_back(renderer.read());
   }

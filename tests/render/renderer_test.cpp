@@ -41,7 +41,7 @@ constexpr double kPixelTolerance = 1.0 / 255;
 Scene open_air(const Cone& cone) {
   Scene scene;
   scene.camera = {.position = {0, 2, 0}, .target = {0, 2, -10}, .field_of_view = 1.0f};
-  scene.environment.ambient_fog_color = {0.02f, 0.03f, 0.04f};
+  scene.atmosphere.ambient_fog_color = {0.02f, 0.03f, 0.04f};
   scene.environment.sky_zenith = scene.environment.sky_horizon = {0.3f, 0.2f, 0.1f};
   PlacedLight light;
   light.light = {.name = "spot", .color = {0.9, 0.8, 0.7}, .attenuation = {1, 0, 0.01}, .cone = cone};
@@ -54,7 +54,7 @@ Scene open_air(const Cone& cone) {
 
 Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings = {}) {
   Renderer renderer(scene, kWidth, kHeight, settings);
-  renderer.set_fog(fog);
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
   renderer.draw();
   return renderer.read();
 }
@@ -83,7 +83,7 @@ TEST_F(RendererTest, BeamInTheFogFollowsTheConeInEveryPixel) {
               high = std::max(high, value);
             }
           }
-          const glm::dvec3 ambient = scene.environment.ambient_fog_color;
+          const glm::dvec3 ambient = scene.atmosphere.ambient_fog_color;
           const glm::dvec3 least = ambient + light.light.color * (low * intensity) - kPixelTolerance;
           const glm::dvec3 most = ambient + light.light.color * (high * intensity) + kPixelTolerance;
           const glm::dvec3 drawn = pixel(picture, x, y);
@@ -111,7 +111,7 @@ TEST_F(RendererTest, ClearAirShowsNeitherFogNorBeam) {
   Scene scene = open_air(Cone::smoothstep(0.1, 0.4));
   const Picture clear = draw(scene, Fog{FogMode::exp, 0});
   for (int y = 0; y < kHeight; ++y) EXPECT_NEAR(pixel(clear, kWidth / 2, y).r, 0.3, 1e-3);
-  scene.environment.ambient_fog_color = {1, 1, 1};
+  scene.atmosphere.ambient_fog_color = {1, 1, 1};
   scene.lights.clear();
   EXPECT_EQ(largest_difference(clear, draw(scene, Fog{FogMode::exp, 0})), 0);
 }
@@ -128,8 +128,7 @@ TEST_F(RendererTest, TotalFogHidesTheScene) {
   const Scene scene = read_scene(bundled_scene_path("room"));
   const Picture picture = draw(scene, Fog{FogMode::exp, std::numeric_limits<double>::infinity()});
   for (const float value : picture.rgb) ASSERT_TRUE(std::isfinite(value));
-  EXPECT_NEAR(pixel(picture, kWidth - 1, kHeight - 1).r, double(scene.environment.ambient_fog_color.r),
-              kPixelTolerance);
+  EXPECT_NEAR(pixel(picture, kWidth - 1, kHeight - 1).r, double(scene.atmosphere.ambient_fog_color.r), kPixelTolerance);
 }
 
 TEST_F(RendererTest, MoonOfABundledSceneFadesAsTheFogThickens) {
@@ -142,14 +141,13 @@ TEST_F(RendererTest, MoonOfABundledSceneFadesAsTheFogThickens) {
     double before = 2;
     for (const double visibility : {20'000.0, 5000.0, 1500.0, 400.0}) {
       const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, visibility));
-      const double moon = pixel(picture, kWidth / 2, kHeight / 2).b - scene.environment.ambient_fog_color.b;
+      const double moon = pixel(picture, kWidth / 2, kHeight / 2).b - scene.atmosphere.ambient_fog_color.b;
       EXPECT_LT(moon, 0.9 * before) << name << " at " << visibility;
       EXPECT_GT(moon, visibility < 1000 ? 0 : kPixelTolerance) << name << " at " << visibility;
       before = moon;
     }
     const Picture hidden = draw(scene, Fog::from_visibility(FogMode::exp, 100.0));
-    EXPECT_LT(pixel(hidden, kWidth / 2, kHeight / 2).b - scene.environment.ambient_fog_color.b, kPixelTolerance)
-        << name;
+    EXPECT_LT(pixel(hidden, kWidth / 2, kHeight / 2).b - scene.atmosphere.ambient_fog_color.b, kPixelTolerance) << name;
   }
 }
 
@@ -181,7 +179,7 @@ TEST_F(RendererTest, AtMostOneIn200PixelsOfABundledSceneIsWhiteByAirlight) {
     const Scene scene = read_scene(bundled_scene_path(name));
     Renderer renderer(scene, 80, 45, {.fog_lighting = FogLighting::airlight});
     for (const double visibility : scene.visibilities) {
-      renderer.set_fog(Fog::from_visibility(FogMode::exp, visibility));
+      renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, visibility)));
       renderer.draw();
       const Picture shown = displayed(renderer.read(), {});
       const std::size_t pixels = shown.rgb.size() / 3;
@@ -226,7 +224,7 @@ TEST_F(RendererTest, ChangedFieldOfViewGivesThePictureOfANewRenderer) {
   Scene scene = read_scene(bundled_scene_path("room"));
   const Fog fog = Fog::from_visibility(FogMode::exp, 30.0);
   const auto picture_of = [&](Renderer& renderer) {
-    renderer.set_fog(fog);
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
     renderer.draw();
     return renderer.read().rgb;
   };
@@ -253,7 +251,7 @@ TEST_F(RendererTest, ChangedLightsCameraAndSizeGiveThePictureOfANewRenderer) {
                                   .shadow_map_size = 64};
     Scene scene = original;
     Renderer renderer(scene, kWidth, kHeight, settings);
-    renderer.set_fog(fog);
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
     renderer.draw();
     const Picture before = renderer.read();
     change(scene);
@@ -261,7 +259,7 @@ TEST_F(RendererTest, ChangedLightsCameraAndSizeGiveThePictureOfANewRenderer) {
     renderer.set_lights();
     renderer.draw();
     Renderer made_anew(scene, 80, 45, settings);
-    made_anew.set_fog(fog);
+    made_anew.set_atmosphere(made_anew.scene().atmosphere.with(fog));
     made_anew.draw();
     EXPECT_EQ(renderer.read().rgb, made_anew.read().rgb) << path;
     scene.lights = original.lights;
@@ -283,7 +281,7 @@ TEST_F(RendererTest, ChangedObjectsGiveThePictureOfANewRenderer) {
                                 .shadow_lamps = 1,
                                 .shadow_map_size = 64};
   const auto picture_of = [](Renderer& renderer) {
-    renderer.set_fog(Fog::from_visibility(FogMode::exp, 300.0));
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 300.0)));
     renderer.draw();
     return renderer.read().rgb;
   };
@@ -333,7 +331,8 @@ TEST_F(RendererTest, NextFrameOfTheSameFogIsTheFirstInEveryBundledScene) {
                          .shadows = shadows,
                          .shadow_map_size = 64,
                          .shaft_steps = 4});
-      renderer.set_fog(Fog::from_visibility(FogMode::exp, 3 * suggested_visibility(scene)));  // lamps have far airlight
+      renderer.set_atmosphere(renderer.scene().atmosphere.with(
+          Fog::from_visibility(FogMode::exp, 3 * suggested_visibility(scene))));  // lamps have far airlight
       renderer.draw();
       const Picture first = renderer.read();
       renderer.draw();
@@ -345,7 +344,7 @@ TEST_F(RendererTest, NextFrameOfTheSameFogIsTheFirstInEveryBundledScene) {
 TEST_F(RendererTest, InterruptedFrameLeavesTheNextOneAsItIs) {
   const Scene scene = read_scene(bundled_scene_path("room"));
   Renderer renderer(scene, 40, 24, {.fog_lighting = FogLighting::airlight});
-  renderer.set_fog(Fog::from_visibility(FogMode::exp, 40.0));
+  renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 40.0)));
   renderer.draw();
   const std::vector<float> whole = renderer.read().rgb;
   int interruptions = 0;
@@ -418,7 +417,7 @@ TEST_F(RendererTest, LightBeyondHalfFloatsIsWholeWhenDrawnInFloats) {
     Scene scene = open_air(Cone{});
     scene.environment.sky_zenith = scene.environment.sky_horizon = glm::vec3(0.3f, 8e4f, 2e6f);
     Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = fog_lighting});
-    renderer.set_fog(Fog{FogMode::exp, 0});
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog{FogMode::exp, 0}));
     renderer.draw();
     EXPECT_TRUE(is_cut_off(renderer.read()));
     const glm::dvec3 whole = pixel(renderer.draw_in_floats(), kWidth / 2, kHeight / 4);
@@ -470,7 +469,7 @@ TEST_F(RendererTest, PointOfALampMakesNoHaloOfItsOwnByAirlight) {
   scene.lights[0].position = {0, 2, -30};
   const auto lit_by_point = [&](const Fog& fog, FogLighting lighting = FogLighting::airlight) {
     Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = lighting});
-    renderer.set_fog(fog);
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
     renderer.draw(LightPoints::on);
     const Picture with = renderer.read();
     renderer.draw(LightPoints::off);
@@ -602,7 +601,7 @@ TEST_F(RendererTest, LampAtTheEyeToTheLastBitGivesFinitePixelsByAirlight) {
         Renderer renderer(scene, 16, 9, {.fog_lighting = FogLighting::airlight, .shadows = shadows});
         for (const double visibility : {1e-300, 1e-3, 50.0, 1e300}) {
           for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
-            renderer.set_fog(Fog::from_visibility(mode, visibility));
+            renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(mode, visibility)));
             renderer.draw(LightPoints::on);
             EXPECT_TRUE(std::ranges::all_of(renderer.read().rgb, [](float value) { return std::isfinite(value); }))
                 << visibility;

@@ -36,8 +36,8 @@ class Pair {
         whole_(scene, width, height, with(settings, Skipping::off)) {}
 
   void set_fog(const Fog& fog) {
-    skipping_.set_fog(fog);
-    whole_.set_fog(fog);
+    skipping_.set_atmosphere(skipping_.scene().atmosphere.with(fog));
+    whole_.set_atmosphere(whole_.scene().atmosphere.with(fog));
   }
   void set_exposure(double ev) {
     skipping_.set_exposure({.ev = ev});
@@ -118,7 +118,7 @@ Scene road() {
   Scene scene;
   scene.camera = {.position = {0, 2, 0}, .target = {0, 1, -10}, .field_of_view = 0.8f};
   scene.environment.ambient_light = {0.04f, 0.05f, 0.07f};
-  scene.environment.ambient_fog_color = {0.01f, 0.012f, 0.015f};
+  scene.atmosphere.ambient_fog_color = {0.01f, 0.012f, 0.015f};
   scene.environment.moon_direction = glm::normalize(glm::vec3(-0.5f, 0.3f, 0.8f));
   scene.environment.moon_color = {0.07f, 0.08f, 0.1f};
   scene.models = {make_model("box", {{"width_m", 20}, {"depth_m", 120}, {"height_m", 0.1}}),
@@ -214,7 +214,7 @@ TEST_F(SkippingTest, ApproachInDenseFogIsWhatTheFogHolds) {
   const Scene scene = read_scene(bundled_scene_path("approach"));
   Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = FogLighting::airlight});
   const auto counts_at = [&](double visibility) {
-    renderer.set_fog(Fog::from_visibility(FogMode::exp, visibility));
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, visibility)));
     return renderer.draw();
   };
   const FrameCounts clear = counts_at(kClear);
@@ -238,7 +238,7 @@ class HiddenWall : public SkippingTest {
  protected:
   HiddenWall() {
     scene_.camera = {.position = {0, 2, 0}, .target = {0, 2, -10}, .field_of_view = 0.5f};
-    scene_.environment.ambient_fog_color = {0.01f, 0.01f, 0.01f};
+    scene_.atmosphere.ambient_fog_color = {0.01f, 0.01f, 0.01f};
     scene_.environment.ambient_light = {0.1f, 0.1f, 0.1f};
     add_box({0, -5, -100.5}, "box");
     add_materials(scene_);
@@ -299,7 +299,7 @@ TEST_F(HiddenWall, WallHidesABrightSurface) {
 TEST_F(HiddenWall, WallHidesTheSkyAboveTheFog) {
   scene_.camera.target = {0, 4, -10};
   scene_.instances[0].world_from_model = glm::scale(scene_.instances[0].world_from_model, glm::dvec3(1, 5, 1));
-  scene_.fog_top = 10;
+  scene_.atmosphere.top = 10;
   scene_.environment.sky_zenith = scene_.environment.sky_horizon = {0.5f, 0.5f, 0.5f};
   const FrameCounts counts = counts_in_fog(FogLighting::airlight);
   EXPECT_EQ(counts.chunks_as_fog, 1u);
@@ -328,7 +328,7 @@ TEST_F(HiddenWall, WallHidesTheGlowOfALampThatHasNoPoint) {
 
 TEST_F(HiddenWall, MoonIsSeenThroughTheTopOfTheFog) {
   scene_.camera.target = {0, 12, -10};
-  scene_.fog_top = 52;
+  scene_.atmosphere.top = 52;
   scene_.environment.moon_direction = glm::normalize(glm::vec3(0, 1, -1));
   scene_.environment.moon_color = glm::vec3(1e-3f);
   EXPECT_EQ(counts_in_fog(FogLighting::airlight).sky, SkyDrawing::sky);
@@ -351,7 +351,7 @@ TEST_F(HiddenWall, ChangedFogAndExposureDecideAnew) {
 }
 
 TEST_F(HiddenWall, WallThatIsLeftOutWasBelowItsShare) {
-  scene_.environment.ambient_fog_color = glm::vec3(0);
+  scene_.atmosphere.ambient_fog_color = glm::vec3(0);
   Pair pair(scene_, {.fog_lighting = FogLighting::peak});
   double most = 0;
   for (double visibility = 40; visibility < 80; visibility *= 1.02) {
@@ -364,7 +364,7 @@ TEST_F(HiddenWall, WallThatIsLeftOutWasBelowItsShare) {
 }
 
 TEST_F(HiddenWall, LampsThatAreLeftOutOfASurfaceWereBelowTheirShare) {
-  scene_.environment.ambient_light = scene_.environment.ambient_fog_color = glm::vec3(0);
+  scene_.environment.ambient_light = scene_.atmosphere.ambient_fog_color = glm::vec3(0);
   for (int i = 0; i < 64; ++i) {
     PlacedLight lamp;
     lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .cone = Cone::smoothstep(1.0, 1.2)};  // not to the eye

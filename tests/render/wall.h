@@ -26,7 +26,7 @@ inline scene::Scene make_wall(int cells, const std::string& material) {
   scene::Scene scene;
   scene.camera = {.position = {0, 0, 0}, .target = {0, 0, -1}, .field_of_view = 1.0f};
   scene.environment.ambient_light = kAmbientLight;
-  scene.environment.ambient_fog_color = kAmbientFogColor;
+  scene.atmosphere.ambient_fog_color = kAmbientFogColor;
   scene.environment.moon_direction = kMoonDirection;
   scene.environment.moon_color = kMoonColor;
   std::vector<glm::vec3> points;

@@ -208,15 +208,17 @@ TEST_F(GltfScene, TheBrightestOfSeveralDirectionalLightsIsTheMoon) {
 // A night's fog before a sunlit scene would be black.
 TEST_F(GltfScene, ADirectionalLightLightsFogAndSky) {
   json file = floor_scene();
-  const Environment night = read(file).environment;
+  const Scene night_scene = read(file);
+  const Environment& night = night_scene.environment;
   file["extensions"]["KHR_lights_punctual"]["lights"][0] = {
       {"type", "directional"}, {"intensity", 68'300}, {"color", {1, 0.9, 0.8}}};
-  const Environment day = read(file).environment;
+  const Scene day_scene = read(file);
+  const Environment& day = day_scene.environment;
   const glm::vec3 scattered = glm::vec3(1, 0.9f, 0.8f) * float(68'300 / (4 * pi));
   const auto expect_near = [](const glm::vec3& actual, const glm::vec3& expected) {
     EXPECT_LT(glm::distance(actual, expected), 1e-6f * glm::length(expected));
   };
-  expect_near(day.ambient_fog_color, night.ambient_fog_color + scattered);
+  expect_near(day_scene.atmosphere.ambient_fog_color, glm::vec3(night_scene.atmosphere.ambient_fog_color) + scattered);
   expect_near(day.sky_horizon, night.sky_horizon + scattered);
   const glm::vec3 zenith = scattered * night.sky_zenith / night.sky_horizon;
   expect_near(day.sky_zenith, night.sky_zenith + zenith);
@@ -275,8 +277,8 @@ TEST_F(GltfScene, AFileWithoutLightsOrCameraIsStillSeen) {
   EXPECT_EQ(environment.moon_color, glm::vec3(0.6f));
   EXPECT_GT(glm::dot(glm::dvec3(environment.moon_direction), glm::normalize(scene.camera.position)), 0.5);
   EXPECT_FLOAT_EQ(glm::length(environment.moon_direction), 1);
-  EXPECT_EQ(environment.ambient_fog_color, read(floor_scene()).environment.ambient_fog_color);  // the night's
-  EXPECT_GT(glm::length(scene.camera.position), 14.2);                                          // outside of the floor
+  EXPECT_EQ(scene.atmosphere.ambient_fog_color, read(floor_scene()).atmosphere.ambient_fog_color);  // the night's
+  EXPECT_GT(glm::length(scene.camera.position), 14.2);  // outside of the floor
   EXPECT_EQ(scene.camera.target, glm::dvec3(0));
 }
 

@@ -73,8 +73,8 @@ TEST_F(SceneFile, EveryBundledSceneLoadsWithGeometryLightsAndThreeVisibilities) 
       EXPECT_TRUE(std::ranges::any_of(scene.lights, &PlacedLight::carried)) << name;
     }
     if (scene.environment.star_brightness > 0) {
-      EXPECT_TRUE(std::isfinite(scene.fog_top)) << name;
-      EXPECT_GT(scene.fog_top, double(scene.camera.position.y)) << name;
+      EXPECT_TRUE(std::isfinite(scene.atmosphere.top)) << name;
+      EXPECT_GT(scene.atmosphere.top, double(scene.camera.position.y)) << name;
     }
     EXPECT_FALSE(scene.instances.empty()) << name;
     for (const PlacedLight& light : scene.lights) EXPECT_FALSE(check(light)) << name << ": " << light.light.name;
@@ -135,12 +135,12 @@ TEST_F(SceneFile, TurningLightTurnsToTheLeftAboutTheVerticalWithTime) {
 
 TEST_F(SceneFile, FogHasNoTopAndNoAsymmetryWhereNoneIsStated) {
   const Scene plain = read("\"objects\": []");
-  EXPECT_EQ(plain.fog_top, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(plain.phase.asymmetry, 0);
+  EXPECT_EQ(plain.atmosphere.top, std::numeric_limits<double>::infinity());
+  EXPECT_EQ(plain.atmosphere.phase.asymmetry, 0);
   const Scene stated = read("\"fog_top_m\": -12.5, \"phase_g\": -0.75, \"objects\": []");
-  EXPECT_EQ(stated.fog_top, -12.5);
-  EXPECT_EQ(stated.phase.asymmetry, -0.75);
-  EXPECT_EQ(read("\"fog_top_m\": 1e308, \"objects\": []").fog_top, 1e308);
+  EXPECT_EQ(stated.atmosphere.top, -12.5);
+  EXPECT_EQ(stated.atmosphere.phase.asymmetry, -0.75);
+  EXPECT_EQ(read("\"fog_top_m\": 1e308, \"objects\": []").atmosphere.top, 1e308);
 }
 
 TEST_F(SceneFile, FogTopIsAFiniteNumberAndAsymmetryLiesBetweenMinusOneAndOne) {
@@ -450,7 +450,7 @@ TEST_F(SceneChanges, MembersOfTheSceneChangeInTheOrderGiven) {
   EXPECT_EQ(scene.camera.position, glm::dvec3(7, 1, 5));
   EXPECT_FLOAT_EQ(scene.camera.field_of_view, glm::radians(60.0f));
   EXPECT_EQ(scene.environment.star_brightness, 2);
-  EXPECT_EQ(scene.phase.asymmetry, -0.5);
+  EXPECT_EQ(scene.atmosphere.phase.asymmetry, -0.5);
   EXPECT_EQ(scene.name, "other");
 }
 

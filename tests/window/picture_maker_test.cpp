@@ -47,7 +47,6 @@ class PictureMakerTest : public GlTest {
     drawing::DrawingOptions options = order.settings[which];
     options.width = order.width;
     options.height = order.height;
-    scene.phase = options.phase.value_or(scene.phase);
     const drawing::Drawn drawn = drawing::draw(scene, options, 1, false, false);
     return drawing::shown_pixels(render::displayed(drawn.picture, drawn.display));
   }

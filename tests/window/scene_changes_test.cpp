@@ -104,7 +104,7 @@ TEST_F(SceneChangesTest, SavedCameraIsReadBackExactly) {
 
 TEST_F(SceneChangesTest, ChangesByHandAreSavedToo) {
   const Scene scene = saved({}, {{"fog_top_m", "40"}, {"lights[2].carried", "true"}, {"name", "fair"}});
-  EXPECT_EQ(scene.fog_top, 40);
+  EXPECT_EQ(scene.atmosphere.top, 40);
   EXPECT_TRUE(scene.lights[4].carried);
   EXPECT_EQ(scene.name, "fair");
 }

@@ -47,13 +47,13 @@ class Sheet {
   std::vector<std::vector<drawing::SheetEntry>> rows_;
 };
 
-std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene& scene, const Fog& fog,
+std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene& scene, const Atmosphere& atmosphere,
                                                               const drawing::DrawingOptions& options) {
   std::vector<std::unique_ptr<render::Renderer>> renderers;
   for (const render::LightingPath& path : render::lighting_paths()) {
     renderers.push_back(
         std::make_unique<render::Renderer>(scene, options.width, options.height, options.settings_of(path)));
-    renderers.back()->set_fog(fog);
+    renderers.back()->set_atmosphere(atmosphere);
   }
   return renderers;
 }
@@ -104,13 +104,13 @@ void show_path(const SceneResult& scene, const PathResult& result, const measure
 SceneResult compare_scene(const scene::Scene& scene, drawing::PictureFolder& pictures, const std::string& machine,
                           const drawing::DrawingOptions& options, int frames) {
   const double visibility = options.visibility_in(scene);
-  const Fog fog = options.fog_at(visibility);
+  const Atmosphere atmosphere = options.atmosphere_of(scene, visibility);
   SceneResult result{.name = scene.name,
                      .description = scene.description,
-                     .conditions = words_of(fog, visibility),
+                     .conditions = words_of(atmosphere.fog, visibility),
                      .lights = scene.lights.size()};
   command::report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
-  auto renderers = make_renderers(scene, fog, options);
+  auto renderers = make_renderers(scene, atmosphere, options);
   const render::Display display = set_exposures(renderers, options.display.display_for(scene));
   if (const std::string words = drawing::display_in_words(display); !words.empty()) result.conditions += ", " + words;
   pictures.finish();  // encoding would take time from the frames

@@ -152,7 +152,7 @@ std::vector<SettingRenderer> make_renderers(const std::vector<Setting>& settings
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const drawing::DrawingOptions& drawing = settings[i].drawing;
     auto renderer = std::make_unique<render::Renderer>(scenes[i], drawing.width, drawing.height, drawing.settings());
-    renderer->set_fog(drawing.fog_at(drawing.visibility_in(scenes[i])));
+    renderer->set_atmosphere(drawing.atmosphere_of(scenes[i], drawing.visibility_in(scenes[i])));
     render::Display display = drawing.display.display_for(scenes[i]);
     if (display.exposure.is_auto && automatic) display.exposure = {.ev = *automatic};
     display.exposure = renderer->set_exposure(display.exposure);
@@ -233,7 +233,7 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
   std::vector<std::string> inputs;
   for (const Setting& setting : settings) {
     scene::Scene& scene = scenes.emplace_back(read_scene_of(setting, kept));
-    drawing::set_scene(scene, setting.drawing);
+    scene::turn_lights(scene, setting.drawing.seconds);
     inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
   }
   expect_effects(settings, scenes);

@@ -150,8 +150,8 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
   app.add_option("--film", options.film, "Write a film, too: .mp4 or .webm (needs ffmpeg)")->type_name("FILE");
 }
 
-Sequence::Sequence(const SequenceOptions& options, std::optional<Phase> phase)
-    : options_(options), phase_(phase), frames_(count_frames(options)), scene_(read(0)), own_camera_(scene_.camera) {
+Sequence::Sequence(const SequenceOptions& options)
+    : options_(options), frames_(count_frames(options)), scene_(read(0)), own_camera_(scene_.camera) {
   if (!options.camera_path.empty()) {
     path_ = read_camera_path(options.camera_path, double(own_camera_.field_of_view));
     scene_.files.push_back(options.camera_path);
@@ -183,7 +183,6 @@ scene::Scene Sequence::read(int frame) {
     if (member.numbers) options.changes.back().value = fmt::format("{}", member.numbers->at(frame, frames_));
   }
   scene::Scene scene = drawing::read_scene(options, &parts_);
-  scene.phase = phase_.value_or(scene.phase);
   return scene;
 }
 
@@ -276,7 +275,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const drawing:
       if (sequence.changes_objects()) renderer.set_objects();
       if (sequence.changes_members() || sequence.moves_lights() || chooses_casters) renderer.set_lights();
     }
-    renderer.set_fog(drawing.fog_at(sequence.visibility(frame)));
+    renderer.set_atmosphere(drawing.atmosphere_of(scene, sequence.visibility(frame)));
     if (frame == 0) {
       display.exposure = renderer.set_exposure(display.exposure);
     } else {

@@ -43,7 +43,7 @@ class Sequence {
  public:
   /// Reads the scene as of every frame, and keeps the first. The options have to outlive this. Throws InputError, and
   /// usage errors of options that do not belong together or make a frame that cannot be.
-  Sequence(const SequenceOptions& options, std::optional<Phase> phase);
+  explicit Sequence(const SequenceOptions& options);
 
   const SequenceOptions& options() const { return options_; }
   int frames() const { return frames_; }
@@ -67,7 +67,6 @@ class Sequence {
   void move_lights(int frame);
 
   const SequenceOptions& options_;
-  std::optional<Phase> phase_;
   int frames_;
   scene::SceneParts parts_;
   scene::Scene scene_;

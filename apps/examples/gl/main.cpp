@@ -86,7 +86,7 @@ double sky_error(const std::vector<std::uint8_t>& pixels, const std::vector<litf
       const glm::dvec3 at{((x + 0.5) / kWidth * 2 - 1) * kTangents.x, ((y + 0.5) / kHeight * 2 - 1) * kTangents.y, -1};
       const litfog::EyeRay ray{kEye, glm::normalize(at), kBackdrop * glm::length(at)};
       glm::dvec3 sky = kFogColor * litfog::opacity_at(fog, ray.length);
-      for (const auto& light : lights) sky += light.light.color * litfog::airlight(light, fog, ray);
+      for (const auto& light : lights) sky += light.light.color * litfog::airlight(light, {fog}, ray);
       for (int i = 0; i < 3; ++i) {
         const double drawn = pixels[std::size_t((y * kWidth + x) * 3 + i)];
         largest = std::max(largest, std::abs(drawn - 255 * std::min(sky[i], 1.0)));
@@ -148,8 +148,8 @@ int draw(const char* file) {
   for (const double visibility : {2000., 300., 60.}) {
     const auto fog = litfog::Fog::from_visibility(litfog::FogMode::exp, visibility);
     const litfog::FogLightChanges changes = updater.set_fog(fog);
-    lights.upload(litfog::pack_fog_header(fog, kFogColor, updater.instances().size()), updater.kinds(),
-                  updater.instances(), changes);
+    lights.upload(litfog::pack_fog_header({.fog = fog, .ambient_fog_color = kFogColor}, updater.instances().size()),
+                  updater.kinds(), updater.instances(), changes);
     glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDrawArrays(GL_TRIANGLES, 0, GLsizei(mesh.size() / 7));
     std::vector<std::uint8_t> pixels(kWidth * kHeight * 3);

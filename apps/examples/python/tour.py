@@ -79,7 +79,7 @@ spot = litfog.Light(attenuation=litfog.Attenuation(1, 0, 0.01), cone=litfog.Cone
 placed = litfog.PlacedLight(spot, position=(0, 8, -12), direction=(0, -1, 0))
 figure, axes = plt.subplots(1, 3, figsize=(13, 3))
 for axis, metres in zip(axes, (400, 100, 30)):
-    airlights = litfog.airlight(placed, litfog.Fog.from_visibility(litfog.FogMode.exp, metres), rays)
+    airlights = litfog.airlight(placed, litfog.Atmosphere(litfog.Fog.from_visibility(litfog.FogMode.exp, metres)), rays)
     axis.imshow(airlights, cmap="inferno", vmin=0, vmax=0.15)
     axis.set_title(f"visibility {metres} m")
     axis.axis("off")

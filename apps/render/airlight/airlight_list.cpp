@@ -59,9 +59,8 @@ double find_bend_range(double k, double density, double pixel, double gain) {
 
 }  // namespace
 
-AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
-                           const glm::dvec3& eye, double pixels_per_radian, double exposure,
-                           std::span<const std::int32_t> casters) {
+AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
+                           double pixels_per_radian, double exposure, std::span<const std::int32_t> casters) {
   if (lights.size() == 0) return {};
   const double budget = kAirlightShare * visible_step(exposure) / double(lights.size());
   const double gain = std::exp2(exposure);
@@ -74,7 +73,7 @@ AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scat
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& placed = lights.lights()[i];
     const double eye_range = std::max(glm::distance(eye, placed.position), 1e-6);
-    const AirlightBound bound(placed, lights.extents()[i], fog, largest_phase(scattering.phase), eye);
+    const AirlightBound bound(placed, lights.extents()[i], atmosphere.fog, largest_phase(atmosphere.phase), eye);
     const double reach = bound.reach(budget);
     if (!(reach > 0)) continue;
     const double pixel = eye_range / pixels_per_radian;

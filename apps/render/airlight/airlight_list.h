@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "litfog/airlight.h"
-#include "litfog/fog.h"
+#include "litfog/atmosphere.h"
 #include "litfog/light_bounds.h"
 #include "render/light/scene_lights.h"
 
@@ -54,8 +53,7 @@ struct AirlightList {
 /// pixels_per_radian  of the picture, at its middle
 /// exposure           EV at which it is shown
 /// casters            of each light: its number among those that cut shafts, or below 0; empty: none cuts any
-AirlightList list_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
-                           const glm::dvec3& eye, double pixels_per_radian, double exposure,
-                           std::span<const std::int32_t> casters = {});
+AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
+                           double pixels_per_radian, double exposure, std::span<const std::int32_t> casters = {});
 
 }  // namespace litfog::render

@@ -10,9 +10,9 @@
 
 namespace litfog::render {
 
-const gl::Program& AirlightPrograms::program(FogMode fog_mode, const AirlightKind& lights) {
-  const bool is_isotropic = litfog::is_isotropic(scene_.phase);
-  const std::tuple key(fog_mode, lights, is_isotropic);
+const gl::Program& AirlightPrograms::program(const Atmosphere& atmosphere, const AirlightKind& lights) {
+  const bool is_isotropic = litfog::is_isotropic(atmosphere.phase);
+  const std::tuple key(atmosphere.fog.mode, lights, is_isotropic);
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   const std::string constants = fmt::format(
@@ -21,7 +21,7 @@ const gl::Program& AirlightPrograms::program(FogMode fog_mode, const AirlightKin
       "const float profile = {}.0;  // of the lights to draw\n"
       "#include \"litfog/shaders/phase.glsl\"\n"
       "{} LitfogPhase phase{};\n",
-      int(fog_mode), lights.has_knee ? "" : "#define LITFOG_NO_KNEE\n", lights.profile,
+      int(atmosphere.fog.mode), lights.has_knee ? "" : "#define LITFOG_NO_KNEE\n", lights.profile,
       is_isotropic ? "const" : "uniform", is_isotropic ? " = litfog_isotropic" : "");
   std::vector<gl::ShaderSource> files = scene_shaders(lights.profile == kCookieProfile, lights.has_shafts);
   files.push_back({"airlight_constants.glsl", constants});

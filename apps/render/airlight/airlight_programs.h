@@ -4,11 +4,10 @@
 #include <map>
 #include <tuple>
 
-#include "litfog/fog.h"
+#include "litfog/atmosphere.h"
 #include "litfog/formulas.h"
 #include "litfog/gl/program.h"
 #include "render/airlight/airlight_list.h"
-#include "scene/scene.h"
 
 namespace litfog::render {
 
@@ -19,15 +18,13 @@ inline constexpr int kCookieProfile = int(LITFOG_PROFILE_COOKIE);  ///< of a lig
 /// airlight_constants.glsl. Needs a current GL context.
 class AirlightPrograms {
  public:
-  /// scene  has to outlive this
-  AirlightPrograms(const scene::Scene& scene, const char* vertex_file, const char* fragment_file)
-      : scene_(scene), vertex_file_(vertex_file), fragment_file_(fragment_file) {}
+  AirlightPrograms(const char* vertex_file, const char* fragment_file)
+      : vertex_file_(vertex_file), fragment_file_(fragment_file) {}
 
   /// Good as long as this.
-  const gl::Program& program(FogMode fog_mode, const AirlightKind& lights);
+  const gl::Program& program(const Atmosphere& atmosphere, const AirlightKind& lights);
 
  private:
-  const scene::Scene& scene_;
   const char* vertex_file_;
   const char* fragment_file_;
   std::map<std::tuple<FogMode, AirlightKind, bool>, gl::Program> programs_;  // bool: whether it scatters evenly

@@ -20,13 +20,11 @@ constexpr GLint kMarked = AirlightTarget::kMarked;
 
 }  // namespace
 
-AirlightPyramid::AirlightPyramid(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights,
-                                 const RenderSettings& settings)
-    : scene_(scene),
-      fog_lights_(fog_lights),
+AirlightPyramid::AirlightPyramid(const gl::FogLightBuffer& fog_lights, const RenderSettings& settings)
+    : fog_lights_(fog_lights),
       shaft_steps_(settings.shaft_steps),
-      tile_programs_(scene, "airlight_blocks.vert", "airlight_tiles.frag"),
-      left_out_programs_(scene, "airlight_left_out.vert", "airlight_left_out.frag"),
+      tile_programs_("airlight_blocks.vert", "airlight_tiles.frag"),
+      left_out_programs_("airlight_left_out.vert", "airlight_left_out.frag"),
       fill_program_("whole_picture.vert", "airlight_fill.frag", render_shaders()),
       unpack_program_("whole_picture.vert", "airlight_unpack.frag", render_shaders()) {}
 
@@ -111,7 +109,7 @@ void AirlightPyramid::draw_left_out(const Frame& frame, const Grid& grid) {
   const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(grid.size);
   for (const auto& [kind, first, count] : frame.inputs.lights.ranges()) {
     if (grid.step >= coarsest_step(kind, frame)) continue;
-    const gl::Program& program = left_out_programs_.program(frame.inputs.fog_mode, kind);
+    const gl::Program& program = left_out_programs_.program(frame.inputs.atmosphere, kind);
     PassTextures textures = use(program, frame, grid);
     frame.inputs.lights.bind_entries(textures);
     set_uniform(program, "clip_from_world", frame.inputs.view.clip_from_world);
@@ -136,7 +134,7 @@ void AirlightPyramid::draw_whole(const Frame& frame, const Grid& grid) {
 void AirlightPyramid::draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const AirlightBlocks& blocks,
                                   bool adds) {
   const AirlightLights& lights = frame.inputs.lights;
-  const gl::Program& program = tile_programs_.program(frame.inputs.fog_mode, lights.ranges()[range].kind);
+  const gl::Program& program = tile_programs_.program(frame.inputs.atmosphere, lights.ranges()[range].kind);
   PassTextures textures = use(program, frame, grid);
   packed_.bind_positions(textures);
   lights.bind_entries(textures);
@@ -169,7 +167,7 @@ PassTextures AirlightPyramid::use(const gl::Program& program, const Frame& frame
   set_uniform(program, "shadow_casters", kShadowCasterUnit);
   set_uniform(program, "caster_of_light", kCasterOfLightUnit);
   set_uniform(program, "shaft_steps", shaft_steps_);
-  set_phase(program, scene_.phase);
+  set_phase(program, frame.inputs.atmosphere.phase);
   set_uniform(program, "eye", frame.inputs.view.eye);
   set_uniform(program, "direction_from_clip", frame.inputs.view.direction_from_clip);
   set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size_));

@@ -4,7 +4,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "litfog/fog.h"
+#include "litfog/atmosphere.h"
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
@@ -16,7 +16,6 @@
 #include "render/interruption.h"
 #include "render/plan/view.h"
 #include "render/render_settings.h"
-#include "scene/scene.h"
 
 namespace litfog::render {
 
@@ -35,13 +34,13 @@ class AirlightPyramid {
     const AirlightLights& lights;
     const SeenRanges& seen;  ///< where rays end; of the pictures' size
     const View& view;
-    FogMode fog_mode;
+    const Atmosphere& atmosphere;
     double exposure;  ///< EV at which the picture is shown: interpolation may err by an eighth of a step there
   };
 
-  /// scene, fog_lights  have to outlive this
-  /// settings           of which the steps of shafts matter
-  AirlightPyramid(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights, const RenderSettings& settings);
+  /// fog_lights  has to outlive this
+  /// settings    of which the steps of shafts matter
+  AirlightPyramid(const gl::FogLightBuffer& fog_lights, const RenderSettings& settings);
 
   /// Takes another size of the pictures.
   ///
@@ -71,7 +70,6 @@ class AirlightPyramid {
   void draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const AirlightBlocks& blocks, bool adds);
   static int coarsest_step(const AirlightKind& kind, const Frame& frame);
 
-  const scene::Scene& scene_;
   const gl::FogLightBuffer& fog_lights_;
   int shaft_steps_;
   glm::ivec2 picture_size_{0};

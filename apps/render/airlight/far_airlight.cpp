@@ -55,7 +55,7 @@ void FarAirlight::set_list(const FarAirlightList& list) {
   listed_.emplace(list.lights.data(), list.lights.size() * sizeof(list.lights[0]), BufferTexture::Texel::int1);
 }
 
-void FarAirlight::draw(glm::ivec2 picture_size, const View& view, FogMode fog_mode) {
+void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphere& atmosphere) {
   if (is_empty()) return;
   step_ = std::max({1, int(kApart * view.pixels_per_radian), (picture_size.y + kMostRows - 1) / kMostRows});
   set_size((picture_size + (step_ - 1)) / step_ + 1);
@@ -68,7 +68,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, FogMode fog_mo
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   for (const FarAirlightList::Range& range : ranges_) {
-    const gl::Program& program = light_programs_.program(fog_mode, {.profile = range.profile});
+    const gl::Program& program = light_programs_.program(atmosphere, {.profile = range.profile});
     program.use();
     bind_lights(program, fog_lights_);
     PassTextures textures(program);
@@ -76,7 +76,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, FogMode fog_mo
     set_uniform(program, "direction_from_clip", view.direction_from_clip);
     set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size));
     set_uniform(program, "eye", view.eye);
-    set_phase(program, scene_.phase);
+    set_phase(program, atmosphere.phase);
     set_uniform(program, "far_depth", float(depth_));
     set_uniform(program, "far_step", step_);
     set_uniform(program, "row_count", size_.y);

@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "litfog/fog.h"
+#include "litfog/atmosphere.h"
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
@@ -15,7 +15,6 @@
 #include "render/gpu/pass_textures.h"
 #include "render/gpu/texel_target.h"
 #include "render/plan/view.h"
-#include "scene/scene.h"
 
 namespace litfog::render {
 
@@ -25,16 +24,16 @@ namespace litfog::render {
 /// interpolate. Needs a current GL context.
 class FarAirlight {
  public:
-  /// scene, fog_lights  have to outlive this
-  FarAirlight(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights)
-      : scene_(scene), fog_lights_(fog_lights), light_programs_(scene, "whole_picture.vert", "far_airlight.frag") {}
+  /// fog_lights  has to outlive this
+  explicit FarAirlight(const gl::FogLightBuffer& fog_lights)
+      : fog_lights_(fog_lights), light_programs_("whole_picture.vert", "far_airlight.frag") {}
 
   /// Uploads the lights that frames have from now on.
   void set_list(const FarAirlightList& list);
   /// Sums it up for a frame. The lights and the cookies are bound to their units.
   ///
   /// throws  gl::Unsupported where the driver cannot draw into textures of floats
-  void draw(glm::ivec2 picture_size, const View& view, FogMode fog_mode);
+  void draw(glm::ivec2 picture_size, const View& view, const Atmosphere& atmosphere);
 
   bool is_empty() const { return depth_ == 0; }
   /// Lets the program in use, one of shaders/far_airlight_at.glsl, look up what has been drawn.
@@ -43,7 +42,6 @@ class FarAirlight {
  private:
   void set_size(glm::ivec2 size);
 
-  const scene::Scene& scene_;
   const gl::FogLightBuffer& fog_lights_;
   double depth_ = 0;  // FarAirlightList::depth
   int step_ = 1;      // pixels between texels

@@ -11,9 +11,10 @@
 
 namespace litfog::render {
 
-FarAirlightList list_far_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
-                                  const glm::dvec3& eye, double exposure, std::span<const std::int32_t> casters) {
+FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
+                                  double exposure, std::span<const std::int32_t> casters) {
   FarAirlightList list;
+  const Fog& fog = atmosphere.fog;
   if (!(fog.density > 0) || std::isinf(fog.density)) return list;
   // For lights, for what is too far away of all, and for what is too far away of some.
   const double budget = kFarShare / 3 * visible_step(exposure);
@@ -28,7 +29,7 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Fog& fog, con
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const double extent = lights.extents()[i];
     if (std::isinf(extent) || (!casters.empty() && casters[i] >= 0)) continue;
-    const AirlightBound bound(lights.lights()[i], extent, fog, largest_phase(scattering.phase), eye);
+    const AirlightBound bound(lights.lights()[i], extent, fog, largest_phase(atmosphere.phase), eye);
     candidates.push_back({std::int32_t(i), int(lights.instances()[i].axis_profile.w), FarAirlightList::kSections, bound,
                           bound.beyond_extent(0)});
   }

@@ -7,8 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "litfog/airlight.h"
-#include "litfog/fog.h"
+#include "litfog/atmosphere.h"
 #include "render/light/scene_lights.h"
 
 namespace litfog::render {
@@ -37,7 +36,7 @@ struct FarAirlightList {
 ///
 /// exposure  EV at which the picture is shown
 /// casters   of each light: at least 0 if it cuts shafts; empty: none does
-FarAirlightList list_far_airlight(const SceneLights& lights, const Fog& fog, const Scattering& scattering,
-                                  const glm::dvec3& eye, double exposure, std::span<const std::int32_t> casters = {});
+FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
+                                  double exposure, std::span<const std::int32_t> casters = {});
 
 }  // namespace litfog::render

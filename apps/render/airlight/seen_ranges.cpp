@@ -23,7 +23,7 @@ gl::Program make_program(int samples) {
 
 }  // namespace
 
-SeenRanges::SeenRanges(const scene::Scene& scene, int samples) : scene_(scene), program_(make_program(samples)) {}
+SeenRanges::SeenRanges(int samples) : program_(make_program(samples)) {}
 
 void SeenRanges::set_size(glm::ivec2 size) {
   size_ = size;
@@ -43,7 +43,7 @@ void SeenRanges::draw(const Framebuffer& framebuffer, const View& view) {
   set_uniform(program_, "eye", view.eye);
   set_uniform(program_, "forward", view.forward);
   set_uniform(program_, "near_plane", kNearPlane);
-  set_fog_top(program_, scene_);
+  set_fog_top(program_, view.top_above_eye);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

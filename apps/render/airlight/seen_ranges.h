@@ -7,7 +7,6 @@
 #include "render/gpu/pass_textures.h"
 #include "render/gpu/texel_target.h"
 #include "render/plan/view.h"
-#include "scene/scene.h"
 
 namespace litfog::render {
 
@@ -15,9 +14,8 @@ namespace litfog::render {
 /// (shaders/airlight/airlight_seen.frag). Needs a current GL context.
 class SeenRanges {
  public:
-  /// scene    has to outlive this
   /// samples  of each pixel
-  SeenRanges(const scene::Scene& scene, int samples);
+  explicit SeenRanges(int samples);
 
   /// Takes another size of the pictures.
   ///
@@ -29,7 +27,6 @@ class SeenRanges {
   void bind(PassTextures& textures) const { textures.bind("seen_ranges", ranges_, GL_TEXTURE_RECTANGLE); }
 
  private:
-  const scene::Scene& scene_;
   glm::ivec2 size_{0};
   TexelPass pass_;
   gl::Program program_;

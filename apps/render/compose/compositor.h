@@ -13,6 +13,7 @@ namespace litfog::render {
 
 /// The airlight that each pane draws before itself: it stands before what the pictures' airlight is summed for.
 struct PaneAirlight {
+  const Phase& phase;
   const AirlightLights& lights;
   const FarAirlight& far;
 };

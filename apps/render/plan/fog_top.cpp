@@ -7,11 +7,10 @@
 
 namespace litfog::render {
 
-void set_fog_top(const gl::Program& program, const scene::Scene& scene) {
+void set_fog_top(const gl::Program& program, double above_eye) {
   // Twice the sky's distance stands for an infinite one, so that nothing finite overflows a float.
-  const double above_eye = std::clamp(scene.fog_top - scene.camera.position.y, -1.0, 2.0 * kSkyDistance);
   set_uniform(program, "sky_distance", kSkyDistance);
-  set_uniform(program, "fog_above_eye", float(above_eye));
+  set_uniform(program, "fog_above_eye", float(std::clamp(above_eye, -1.0, 2.0 * kSkyDistance)));
 }
 
 }  // namespace litfog::render

@@ -38,8 +38,9 @@ FramePlanner::FramePlanner(const scene::Scene& scene, const SceneLights& lights,
                            const RenderSettings& settings)
     : scene_(scene), lights_(lights), surfaces_(surfaces), settings_(settings) {}
 
-void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit, std::span<const std::int32_t> shaft_casters) {
-  fog_ = fog;
+void FramePlanner::set_atmosphere(const Atmosphere& atmosphere, bool is_fog_lit,
+                                  std::span<const std::int32_t> shaft_casters) {
+  atmosphere_ = atmosphere;
   is_fog_lit_ = is_fog_lit;
   shaft_casters_ = shaft_casters;
   foggy_.resize(surfaces_.surfaces().size());
@@ -48,13 +49,16 @@ void FramePlanner::set_fog(const Fog& fog, bool is_fog_lit, std::span<const std:
 }
 
 const FramePlan& FramePlanner::plan(const FrameView& view) {
-  has_changed_ = view_ != view;
+  const bool is_new_environment = environment_ != scene_.environment;
+  has_changed_ = view_ != view || is_new_environment;
   if (!has_changed_) return plan_;
-  if (!view_ || view_->exposures.surfaces != view.exposures.surfaces) {  // another fog, too
+  // Without a view, the atmosphere is another.
+  if (!view_ || view_->exposures.surfaces != view.exposures.surfaces || is_new_environment) {
     step_ = visible_step(view.exposures.surfaces);
     ++fog_number_;
   }
   view_ = view;
+  environment_ = scene_.environment;
   make_plan(view);
   return plan_;
 }
@@ -79,10 +83,10 @@ double FramePlanner::sky_brightness() const {
 
 double FramePlanner::airlight_end_from(const glm::dvec3& eye, double budget) const {
   if (settings_.fog_lighting != FogLighting::airlight) return 0;
-  const double phase = largest_phase(scene_.phase);
+  const double phase = largest_phase(atmosphere_.phase);
   double end = 0;
   for (std::size_t i = 0; i < lights_.size(); ++i) {
-    const AirlightBound bound(lights_.lights()[i], lights_.extents()[i], fog_, phase, eye);
+    const AirlightBound bound(lights_.lights()[i], lights_.extents()[i], atmosphere_.fog, phase, eye);
     end = std::max(end, bound.end(budget / double(lights_.size())));
   }
   return std::max(end, plan_.far_airlights.depth);
@@ -99,13 +103,13 @@ double FramePlanner::hidden_range_of(std::size_t index) {
     const PlacedLight& placed = lights_.lights()[light];
     const double strength =
         surface.material->reflectance * largest_component(placed.light.color) *
-        largest_irradiance(placed.light, placed.position, surfaces_.range_of(lights_.extents()[light]), fog_,
+        largest_irradiance(placed.light, placed.position, surfaces_.range_of(lights_.extents()[light]), atmosphere_.fog,
                            settings_.fog_lighting, *settings_.path, surface.bounds);
     strengths_[std::size_t(surface.list_first) + i] = float(strength);
     brightness += strength;
   }
-  const double fog = largest_component(scene_.environment.ambient_fog_color);
-  foggy = {fog_number_, float(hidden_range(fog_, brightness + fog, kHiddenShare * step_))};
+  const double fog = largest_component(atmosphere_.ambient_fog_color);
+  foggy = {fog_number_, float(hidden_range(atmosphere_.fog, brightness + fog, kHiddenShare * step_))};
   return double(foggy.hidden_range);
 }
 
@@ -147,13 +151,12 @@ void FramePlanner::make_plan(const FrameView& view) {
 }
 
 void FramePlanner::plan_airlight(const FrameView& view) {
-  const Scattering scattering{.phase = scene_.phase};
   const double exposure = view.exposures.airlight;
   plan_.airlights =
-      list_airlight(lights_, fog_, scattering, view.camera.position, view.pixels_per_radian, exposure, shaft_casters_);
+      list_airlight(lights_, atmosphere_, view.camera.position, view.pixels_per_radian, exposure, shaft_casters_);
   plan_.airlight_tiles = list_airlight_tiles(plan_.airlights, view.camera, view.picture_size, kCoarsestGrid);
   if (lights_fog_beyond_end(settings_)) {
-    plan_.far_airlights = list_far_airlight(lights_, fog_, scattering, view.camera.position, exposure, shaft_casters_);
+    plan_.far_airlights = list_far_airlight(lights_, atmosphere_, view.camera.position, exposure, shaft_casters_);
   }
   plan_.counts.airlights_drawn = plan_.airlights.entries.size();
   plan_.counts.airlights_invisible = lights_.size() - plan_.airlights.entries.size();
@@ -178,12 +181,12 @@ void FramePlanner::plan_everything() {
 void FramePlanner::plan_visible(const FrameView& view) {
   FrameCounts& counts = plan_.counts;
   const Frustum frustum = make_frustum(view.clip_from_world);
-  const PointList points = list_points(lights_, fog_, view.camera.position, frustum, kPointShare * step_);
+  const PointList points = list_points(lights_, atmosphere_.fog, view.camera.position, frustum, kPointShare * step_);
   add_points(points);
 
-  const double fog_above_eye = scene_.fog_top - scene_.camera.position.y;
-  const double fog_color = largest_component(scene_.environment.ambient_fog_color);
-  const double sky_range = hidden_range(fog_, sky_brightness() + fog_color, kHiddenShare * step_);
+  const double fog_above_eye = atmosphere_.top - scene_.camera.position.y;
+  const double fog_color = largest_component(atmosphere_.ambient_fog_color);
+  const double sky_range = hidden_range(atmosphere_.fog, sky_brightness() + fog_color, kHiddenShare * step_);
   if (view.highest_slope <= slope_in_fog(fog_above_eye, sky_range)) {
     counts.sky = is_fog_lit_ ? SkyDrawing::fog : SkyDrawing::background;
   }
@@ -204,7 +207,7 @@ void FramePlanner::plan_visible(const FrameView& view) {
     const Surface& surface = surfaces_.surfaces()[each.surface];
     const bool has_mapped_fog = settings_.path->has_mapped_fog() && surface.is_fog_lit;
     if (!hides || has_mapped_fog || each.nearest < each.hidden_range) {
-      const double through = fog_factor_at(fog_, each.nearest);
+      const double through = fog_factor_at(atmosphere_.fog, each.nearest);
       plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1));
       ++counts.chunks_drawn;
     } else if (each.nearest < left_out_from || can_be_lit_from(view.camera.position, surface, left_out_from) ||

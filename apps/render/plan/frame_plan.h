@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "litfog/fog.h"
+#include "litfog/atmosphere.h"
 #include "render/airlight/airlight_list.h"
 #include "render/airlight/airlight_tiles.h"
 #include "render/airlight/far_airlight_list.h"
@@ -92,13 +92,13 @@ class FramePlanner {
   FramePlanner(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces,
                const RenderSettings& settings);
 
-  /// Takes a change of the fog, and of the lights and surfaces where they have changed.
+  /// Takes a change of the atmosphere, and of the lights and surfaces where they have changed.
   ///
   /// is_fog_lit     whether carried lights light it by their intensity
   /// shaft_casters  as list_airlight() takes them; have to outlive this or the next call
-  void set_fog(const Fog& fog, bool is_fog_lit, std::span<const std::int32_t> shaft_casters);
+  void set_atmosphere(const Atmosphere& atmosphere, bool is_fog_lit, std::span<const std::int32_t> shaft_casters);
 
-  /// Valid until the next call; the same where the view has not changed, with has_changed() false.
+  /// Valid until the next call; the same where neither view nor environment has changed, with has_changed() false.
   const FramePlan& plan(const FrameView& view);
   /// Makes the next plan anew.
   void forget() { view_.reset(); }
@@ -140,7 +140,7 @@ class FramePlanner {
   const SceneLights& lights_;
   const SurfaceList& surfaces_;
   RenderSettings settings_;
-  Fog fog_;
+  Atmosphere atmosphere_;
   bool is_fog_lit_ = false;
   std::span<const std::int32_t> shaft_casters_;
   unsigned fog_number_ = 1;
@@ -149,6 +149,7 @@ class FramePlanner {
   std::vector<float> strengths_;  // of the surfaces' lists: what each light gives, before the fog on the eye's leg
   std::vector<float> sorted_;     // scratch
   std::optional<FrameView> view_;
+  scene::Environment environment_;  // for which the last plan was made
   bool has_changed_ = false;
   FramePlan plan_;
 };

@@ -15,9 +15,11 @@ struct View {
   glm::mat4 clip_from_world;
   glm::mat4 direction_from_clip;  ///< of the ray through a place on the picture
   double pixels_per_radian;       ///< at the picture's middle
+  double top_above_eye;           ///< metres: the atmosphere's
 };
 
-/// camera  relative to SceneLights::origin()
-View view_of(const scene::Camera& camera, glm::ivec2 size);
+/// camera         relative to SceneLights::origin()
+/// top_above_eye  metres, of the atmosphere
+View view_of(const scene::Camera& camera, glm::ivec2 size, double top_above_eye);
 
 }  // namespace litfog::render

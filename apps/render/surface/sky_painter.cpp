@@ -24,7 +24,7 @@ void draw_sky(const gl::Program& program, const View& view, const scene::Scene& 
   set_uniform(program, "star_brightness", environment.star_brightness);
   set_uniform(program, "moon_direction", environment.moon_direction);
   set_uniform(program, "moon_color", environment.moon_color);
-  set_fog_top(program, scene);
+  set_fog_top(program, view.top_above_eye);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 

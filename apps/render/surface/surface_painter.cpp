@@ -396,7 +396,6 @@ void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant&
   if (frame.shadows) frame.shadows->set_moon_maps(program);
   if (variant.material.is_pane) {
     bind_pane_airlight(program, frame.airlight);
-    set_phase(program, scene_.phase);
     set_uniform(program, "shaft_steps", settings_.shaft_steps);
   }
 }

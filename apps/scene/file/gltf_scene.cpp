@@ -78,10 +78,7 @@ class GltfReader {
     if (const auto punctual = extension_of(file_.root(), kPunctual)) lights_ = items_of(*punctual, "lights");
     read_name(path);
     scene_.description = "a glTF file";
-    scene_.environment = {.ambient_light = kNightAmbient,
-                          .ambient_fog_color = kNightFog,
-                          .sky_zenith = kZenith,
-                          .sky_horizon = kNightFog};
+    scene_.environment = {.ambient_light = kNightAmbient, .sky_zenith = kZenith, .sky_horizon = kNightFog};
     note_files(path);
     read_nodes();
     if (scene_.models.empty()) file_.root().fail("meshes", "", "must hold triangles");
@@ -111,8 +108,8 @@ class GltfReader {
     Environment& environment = scene_.environment;
     const glm::vec3 scattered = environment.moon_color / 4.0f;
     const glm::vec3 zenith = scattered * (kZenith / kNightFog);
-    environment.ambient_fog_color += scattered;
     environment.sky_horizon += scattered;
+    scene_.atmosphere.ambient_fog_color = environment.sky_horizon;
     environment.sky_zenith += zenith;
     environment.ambient_light += (scattered + zenith) / 2.0f;
   }

@@ -154,7 +154,6 @@ Environment read_environment(const JsonValue& value) {
   value.allow_only({"ambient", "fog_color", "sky_zenith", "sky_horizon", "stars", "moon"});
   Environment environment;
   environment.ambient_light = color_or(value, "ambient", environment.ambient_light);
-  environment.ambient_fog_color = color_or(value, "fog_color", environment.ambient_fog_color);
   environment.sky_zenith = color_or(value, "sky_zenith", environment.sky_zenith);
   environment.sky_horizon = color_or(value, "sky_horizon", environment.sky_horizon);
   environment.star_brightness = float(number_in_or(value, "stars", 0, 100, 0));
@@ -217,15 +216,19 @@ class SceneReader {
     read_name(root, std::filesystem::path(path).stem().string());
     if (const auto description = root.optional("description")) scene_.description = description->string();
     scene_.camera = read_camera(root.member("camera"));
-    if (const auto environment = root.optional("environment")) scene_.environment = read_environment(*environment);
+    Atmosphere& air = scene_.atmosphere;
+    if (const auto environment = root.optional("environment")) {
+      scene_.environment = read_environment(*environment);
+      air.ambient_fog_color = color_or(*environment, "fog_color", glm::vec3(0.0f));
+    }
     if (const auto visibilities = root.optional("visibilities_m")) read_visibilities(*visibilities);
     if (const auto is_at_vertices = root.optional("lit_at_vertices")) {
       scene_.is_lit_at_vertices = is_at_vertices->boolean();
     }
-    scene_.fog_top = root.number_or("fog_top_m", scene_.fog_top);
+    air.top = root.number_or("fog_top_m", air.top);
     if (const auto phase_g = root.optional("phase_g")) {
-      scene_.phase.asymmetry = phase_g->number();
-      if (const auto error = check(scene_.phase)) phase_g->fail(error->rule);
+      air.phase.asymmetry = phase_g->number();
+      if (const auto error = check(air.phase)) phase_g->fail(error->rule);
     }
     if (const auto vehicle = root.optional("vehicle")) vehicle_ = read_vehicle(*vehicle);
     if (const auto lights = root.optional("lights")) {

@@ -63,6 +63,19 @@ typedef struct litfog_fog {
   double density;  ///< d, 1/m, >= 0. 0 is clear air, infinity total fog.
 } litfog_fog;
 
+/// A phase function, Henyey and Greenstein's.
+typedef struct litfog_phase {
+  double asymmetry;  ///< g, (-1, 1); 0 is isotropic
+} litfog_phase;
+
+/// All that the air is.
+typedef struct litfog_atmosphere {
+  litfog_fog fog;
+  litfog_phase phase;
+  double top;                   ///< metres: height at which rays to the sky leave the fog; INFINITY: they do not
+  double ambient_fog_color[3];  ///< linear RGB, finite, >= 0
+} litfog_atmosphere;
+
 // Contrast thresholds that give a visibility its meaning.
 #define LITFOG_CONTRAST_MOR 0.05          ///< meteorological optical range (WMO, ICAO Annex 3)
 #define LITFOG_CONTRAST_KOSCHMIEDER 0.02  ///< Koschmieder 1924
@@ -127,6 +140,7 @@ LITFOG_API litfog_status litfog_default_placed_light(litfog_placed_light* light)
 /// Says what is wrong with a struct, by LITFOG_INVALID_ARGUMENT and litfog_last_error(). Every other call checks what
 /// it is given, too.
 LITFOG_API litfog_status litfog_check_fog(const litfog_fog* fog);
+LITFOG_API litfog_status litfog_check_atmosphere(const litfog_atmosphere* atmosphere);
 LITFOG_API litfog_status litfog_check_light(const litfog_light* light);
 LITFOG_API litfog_status litfog_check_placed_light(const litfog_placed_light* light);
 
@@ -221,16 +235,6 @@ enum {
   LITFOG_LAMP_LEG_FOGGED = 1  ///< k = 1: the fog factor is lost on it (single scattering)
 };
 
-/// A phase function, Henyey and Greenstein's.
-typedef struct litfog_phase {
-  double asymmetry;  ///< g, (-1, 1); 0 is isotropic
-} litfog_phase;
-
-typedef struct litfog_scattering {
-  int32_t lamp_leg;  ///< LITFOG_LAMP_LEG_*
-  litfog_phase phase;
-} litfog_scattering;
-
 typedef struct litfog_eye_ray {
   double origin[3];
   double direction[3];  ///< its length is 1 within LITFOG_DIRECTION_TOLERANCE
@@ -239,11 +243,10 @@ typedef struct litfog_eye_ray {
 
 /// Airlight of a light along rays: what of it the fog scatters into the eye, to be multiplied with its colour.
 ///
-/// scattering  NULL: the lamp's leg fogged, isotropic
-/// airlights   one a ray, [0, 1] in isotropic fog; refused where they overlap the rays
-LITFOG_API litfog_status litfog_airlight(const litfog_placed_light* light, const litfog_fog* fog,
-                                         const litfog_eye_ray* rays, size_t count, const litfog_scattering* scattering,
-                                         double* airlights);
+/// lamp_leg   LITFOG_LAMP_LEG_*
+/// airlights  one a ray, [0, 1] in isotropic fog; refused where they overlap the rays
+LITFOG_API litfog_status litfog_airlight(const litfog_placed_light* light, const litfog_atmosphere* atmosphere,
+                                         const litfog_eye_ray* rays, size_t count, int32_t lamp_leg, double* airlights);
 
 /// Airlight of a light along its own axis, [0, 1]: the eye at the light, the light's leg clear, out to its extent.
 LITFOG_API litfog_status litfog_axial_airlight(const litfog_light* light, const litfog_fog* fog, double* airlight);
@@ -285,16 +288,14 @@ typedef struct litfog_fog_light_block {
 
 /// The first members of the block, for lights that an updater holds.
 ///
-/// ambient_fog_color  three components, finite, >= 0
-/// instances          of the block, which shaders go through: at most LITFOG_MAX_FOG_LIGHTS; 0 if all lights are in
-///                    buffers
-LITFOG_API litfog_status litfog_pack_fog_header(const litfog_fog* fog, const double* ambient_fog_color,
-                                                size_t instances, litfog_fog_header* header);
+/// instances  of the block, which shaders go through: at most LITFOG_MAX_FOG_LIGHTS; 0 if all lights are in buffers
+LITFOG_API litfog_status litfog_pack_fog_header(const litfog_atmosphere* atmosphere, size_t instances,
+                                                litfog_fog_header* header);
 
 /// The whole block from lights that stay as they are, each solved in the fog; others are an updater's.
 ///
 /// count  at most LITFOG_MAX_FOG_LIGHTS
-LITFOG_API litfog_status litfog_pack_fog_light_block(const litfog_fog* fog, const double* ambient_fog_color,
+LITFOG_API litfog_status litfog_pack_fog_light_block(const litfog_atmosphere* atmosphere,
                                                      const litfog_placed_light* lights, size_t count,
                                                      litfog_fog_light_block* block);
 

@@ -18,14 +18,14 @@ inline constexpr double kCookieAirlightMaxError = 1 / 255.;
 /// cookie_from_world  a rotation: the light's axis becomes -z, its up +y
 /// max error          kCookieAirlightMaxError                                              (cookie_airlight_test.cpp)
 /// throws             std::invalid_argument naming field, value and rule
-double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world, const Fog& fog,
-                const EyeRay& ray, const Scattering& scattering = {});
+double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
+                const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
 
 /// The same by adaptive quadrature, cut wherever the ray passes from one texel to another.
 ///
 /// max error  kReferenceAirlightMaxError                                                   (cookie_airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 double reference_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
-                          const Fog& fog, const EyeRay& ray, const Scattering& scattering = {});
+                          const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
 
 }  // namespace litfog

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/atmosphere.h"
+
+#include <cmath>
+
+#include "model/require.h"
+
+namespace litfog {
+
+std::optional<ValueError> check(const Atmosphere& atmosphere) {
+  if (const auto error = check(atmosphere.fog)) return error;
+  if (const auto error = check(atmosphere.phase)) return error;
+  if (std::isnan(atmosphere.top)) return ValueError{"top", atmosphere.top, "must be a number"};
+  return check_color(atmosphere.ambient_fog_color,
+                     {"ambient_fog_color.r", "ambient_fog_color.g", "ambient_fog_color.b"});
+}
+
+}  // namespace litfog
