@@ -17,8 +17,8 @@ namespace litfog::bench {
 namespace {
 
 constexpr const char* kLamps[] = {"room-bulb", "hand-torch", "street-lamp", "landing-lamp"};
-constexpr double kLeastVisibility = 1;
-constexpr double kMostVisibility = 20'000;
+constexpr double kMinVisibility = 1;
+constexpr double kMaxVisibility = 20'000;
 
 }  // namespace
 
@@ -41,7 +41,7 @@ Result measure_lamps(bool quick) {
     command::Series fogged{.name = "airlight, k = 1", .color = 1};
     command::Series references{.name = "reference", .style = command::SeriesStyle::points, .color = 7};
     for (int i = 0; i <= steps; ++i) {
-      const double visibility = kLeastVisibility * std::pow(kMostVisibility / kLeastVisibility, double(i) / steps);
+      const double visibility = kMinVisibility * std::pow(kMaxVisibility / kMinVisibility, double(i) / steps);
       const Fog fog = Fog::from_visibility(FogMode::exp, visibility);
       const double intensity = solve_fog_intensity(light, fog).intensity;
       const double computed[] = {axial_airlight(light, fog), airlight(placed, fog, ray)};
@@ -60,7 +60,7 @@ Result measure_lamps(bool quick) {
     result.figure.charts.push_back(
         {.title = fmt::format("{}, reaching {} m", lamp,
                               shown_rounded(compute_extent(light.attenuation, light.threshold), 3)),
-         .x = {"visibility (m)", true, kLeastVisibility, kMostVisibility},
+         .x = {"visibility (m)", true, kMinVisibility, kMaxVisibility},
          .y = {"fraction of the lamp's colour", false, 0, 1},
          .series = {peak, clear, fogged, references},
          .key = result.figure.charts.empty() ? command::KeyPlace::top_right : command::KeyPlace::none});

@@ -71,9 +71,9 @@ std::vector<std::size_t> find_visible_lights(render::Renderer& renderer) {
   std::vector<std::size_t> lights(most.size());
   std::iota(lights.begin(), lights.end(), 0);
   std::ranges::sort(lights, {}, [&](std::size_t i) { return most[i]; });
-  constexpr double kMostLeftOut = 0.5;
+  constexpr double kMaxLeftOut = 0.5;
   double left_out = 0;
-  const auto first = std::ranges::find_if(lights, [&](std::size_t i) { return (left_out += most[i]) > kMostLeftOut; });
+  const auto first = std::ranges::find_if(lights, [&](std::size_t i) { return (left_out += most[i]) > kMaxLeftOut; });
   lights.erase(lights.begin(), first);
   std::ranges::sort(lights);
   return lights;

@@ -154,7 +154,7 @@ EMSCRIPTEN_KEEPALIVE void page_set_display(double ev, bool is_auto, bool is_neut
                        .tone = is_neutral ? render::ToneCurve::neutral : render::ToneCurve::clip};
 }
 
-EMSCRIPTEN_KEEPALIVE double page_largest_exposure() { return kLargestExposure; }
+EMSCRIPTEN_KEEPALIVE double page_largest_exposure() { return kMaxExposure; }
 EMSCRIPTEN_KEEPALIVE double page_srgb(double linear) { return double{scene::srgb_from_linear(float(linear))}; }
 EMSCRIPTEN_KEEPALIVE double page_linear(double srgb) { return double{scene::linear_from_srgb(float(srgb))}; }
 
@@ -203,7 +203,7 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_lamp(int lamp, double red, double gree
   light.attenuation = {constant, linear, quadratic};
   light.threshold = threshold;
   light.cone = cone_of(ConeProfile(profile), {first, second});
-  if (const auto wrong = check(light)) {
+  if (const auto wrong = find_error(light)) {
     error = to_string(*wrong);
     return error.c_str();
   }
@@ -223,10 +223,9 @@ EMSCRIPTEN_KEEPALIVE const char* page_profiles() {
     std::vector<std::string> parameters;
     for (const ConeParameter& each : facts.parameters) {
       const double first = facts.first.*each.member;
-      parameters.push_back(
-          fmt::format(R"({{"file": "{}", "label": "{}", "isAngle": {}, "ends": [{}], "first": {:.4g}}})", each.file_name,
-                      each.label, each.is_angle, fmt::join(each.control, ", "),
-                      each.is_angle ? glm::degrees(first) : first));
+      parameters.push_back(fmt::format(
+          R"({{"file": "{}", "label": "{}", "isAngle": {}, "ends": [{}], "first": {:.4g}}})", each.file_name,
+          each.label, each.is_angle, fmt::join(each.control, ", "), each.is_angle ? glm::degrees(first) : first));
     }
     profiles.push_back(fmt::format(R"({{"name": "{}", "parameters": [{}]}})", facts.name, fmt::join(parameters, ", ")));
   }
@@ -249,8 +248,8 @@ EMSCRIPTEN_KEEPALIVE const double* page_curve(int lamp) {
 }
 
 /// The visibility slider's ends and its presets.
-EMSCRIPTEN_KEEPALIVE double page_least_visibility() { return window::kLeastVisibility; }
-EMSCRIPTEN_KEEPALIVE double page_most_visibility() { return window::kMostVisibility; }
+EMSCRIPTEN_KEEPALIVE double page_least_visibility() { return window::kMinVisibility; }
+EMSCRIPTEN_KEEPALIVE double page_most_visibility() { return window::kMaxVisibility; }
 EMSCRIPTEN_KEEPALIVE int page_preset_count() { return int(window::kVisibilityPresets.size()); }
 EMSCRIPTEN_KEEPALIVE const char* page_preset_name(int i) { return window::kVisibilityPresets[std::size_t(i)].name; }
 EMSCRIPTEN_KEEPALIVE double page_preset_metres(int i) { return window::kVisibilityPresets[std::size_t(i)].metres; }

@@ -20,7 +20,7 @@
 
 namespace litfog::browser {
 
-inline constexpr double kLargestExposure = 12;  ///< EV, either way, of the page's slider
+inline constexpr double kMaxExposure = 12;  ///< EV, either way, of the page's slider
 
 /// What a frame did.
 struct FrameReport {

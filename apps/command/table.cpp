@@ -26,9 +26,9 @@ bool is_empty(const Cell& cell) { return std::holds_alternative<std::monostate>(
 std::string text_cell(const Cell& cell) {
   if (is_empty(cell)) return "-";
   if (is_number(cell)) {
-    constexpr double kLargestWhole = 1e9;
+    constexpr double kMaxWhole = 1e9;
     const double number = std::get<double>(cell);
-    const bool is_whole = std::abs(number) < kLargestWhole && number == std::round(number);
+    const bool is_whole = std::abs(number) < kMaxWhole && number == std::round(number);
     return is_whole ? fmt::format("{:.0f}", number + 0.0) : fmt::format("{:.6g}", number);
   }
   const auto& text = std::get<std::string>(cell);

@@ -114,22 +114,20 @@ struct Output {
 std::vector<drawing::SheetEntry> draw_row(const Row& row, const drawing::DrawingOptions& options, Output& output) {
   {
     const std::lock_guard lock(output.mutex);
-    command::report(fmt::format("{}: {} lights; the first picture compiles its shaders\n", row.title,
-                                row.scene->lights.size()));
+    command::report(
+        fmt::format("{}: {} lights; the first picture compiles its shaders\n", row.title, row.scene->lights.size()));
   }
   render::Renderer renderer(*row.scene, options.width, options.height, row.render);
   std::vector<drawing::SheetEntry> entries;
   for (const double visibility : shown_visibilities(*row.scene)) {
     const std::string file = picture_file(row, visibility);
     const command::WallTimer timer;
-    const render::Display display =
-        drawing::set_fog_and_exposure(renderer, at_visibility(options, visibility)).display;
+    const render::Display display = drawing::set_fog_and_exposure(renderer, at_visibility(options, visibility)).display;
     renderer.draw();
     const render::Picture drawn = renderer.read();
     const double seconds = timer.seconds();
-    std::vector<std::string> caption{std::isinf(visibility)
-                                         ? row.title + ", clear air"
-                                         : fmt::format("{}, visibility {} m", row.title, visibility)};
+    std::vector<std::string> caption{
+        std::isinf(visibility) ? row.title + ", clear air" : fmt::format("{}, visibility {} m", row.title, visibility)};
     const std::string text = drawing::display_in_words(display);
     if (!text.empty()) caption.push_back(text);
     render::Picture picture = render::displayed(drawn, display);

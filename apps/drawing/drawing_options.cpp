@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMaxSide = 16'384;
 constexpr command::NumberRule kFraction{[](double x) { return x >= 0 && x <= 1; }, "must be a number in [0, 1]", 0, 1};
-constexpr command::NumberRule kAsymmetry{[](double g) { return !check(Phase{g}); }, kAsymmetryRule};
+constexpr command::NumberRule kAsymmetry{[](double g) { return !find_error(Phase{g}); }, kAsymmetryRule};
 constexpr std::int64_t kMaxPixels = 40'000'000;  // some 3 GiB, 5 with airlight
 
 void parse_size(const std::string& text, DrawingOptions& options) {

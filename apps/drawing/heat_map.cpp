@@ -14,8 +14,8 @@
 namespace litfog::drawing {
 namespace {
 
-constexpr int kLeastWidth = 640;  // pixels, for the text
-constexpr int kMostMagnifiedHeight = 2048;
+constexpr int kMinWidth = 640;  // pixels, for the text
+constexpr int kMaxMagnifiedHeight = 2048;
 constexpr int kMargin = 10;
 constexpr int kFontSize = 14;
 constexpr int kLineHeight = 22;
@@ -41,7 +41,7 @@ void fill(render::Picture& picture, int left, int top, int right, int bottom, co
 
 void draw_scale(render::Picture& picture, int top) {
   const int left = kMargin;
-  const int length = kLeastWidth - 8 * kMargin;
+  const int length = kMinWidth - 8 * kMargin;
   const glm::vec3 frame = kInk * 0.3f;  // the scale begins as dark as the ground
   fill(picture, left - 1, top - 1, left + length + 2, top + kBarHeight + 1, frame);
   for (int i = 0; i <= length; ++i) {
@@ -79,9 +79,9 @@ render::Picture heat_picture(const measure::PictureError& error) {
 }
 
 render::Picture make_heat_map(const measure::PictureError& error, const std::string& title) {
-  const int to_least_width = (kLeastWidth + error.width - 1) / error.width;
-  const int magnified = std::clamp(kMostMagnifiedHeight / error.height, 1, to_least_width);
-  const int width = std::max(error.width * magnified, kLeastWidth);
+  const int to_least_width = (kMinWidth + error.width - 1) / error.width;
+  const int magnified = std::clamp(kMaxMagnifiedHeight / error.height, 1, to_least_width);
+  const int width = std::max(error.width * magnified, kMinWidth);
   const int height = error.height * magnified;
   render::Picture picture{width, height + 2 * kLineHeight + kBarHeight + 3 * kMargin, {}};
   picture.rgb.resize(std::size_t(picture.width) * std::size_t(picture.height) * 3);

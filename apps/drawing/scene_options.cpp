@@ -31,8 +31,8 @@ void add_point(CLI::App& app, const std::string& name, std::optional<glm::dvec3>
 }  // namespace
 
 const command::NumberRule kFieldOfView{
-    [](double x) { return x >= scene::kLeastFieldOfViewDeg && x <= scene::kMostFieldOfViewDeg; },
-    "must be a number in [1, 150]", scene::kLeastFieldOfViewDeg, scene::kMostFieldOfViewDeg};
+    [](double x) { return x >= scene::kMinFieldOfViewDeg && x <= scene::kMaxFieldOfViewDeg; },
+    "must be a number in [1, 150]", scene::kMinFieldOfViewDeg, scene::kMaxFieldOfViewDeg};
 
 void add_scene(CLI::App& app, SceneOptions& options) {
   app.add_option("SCENE", options.scene,

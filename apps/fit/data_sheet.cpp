@@ -20,7 +20,7 @@ namespace litfog::fit {
 
 namespace {
 
-constexpr std::size_t kMostRows = 40;
+constexpr std::size_t kMaxRows = 40;
 
 using Row = std::vector<command::Table::Cell>;
 
@@ -39,7 +39,7 @@ class Sheet {
   ///
   /// row_of  the row of sample i
   void add_samples(command::Table table, std::size_t count, const std::function<Row(std::size_t)>& row_of) {
-    const std::size_t step = (count + kMostRows - 1) / kMostRows;
+    const std::size_t step = (count + kMaxRows - 1) / kMaxRows;
     text_ += step > 1 ? fmt::format("\n  One of every {} samples:\n", step) : "\n";
     for (std::size_t i = 0; i < count; i += step) table.rows.push_back(row_of(i));
     append(table);

@@ -24,15 +24,15 @@ using command::SeriesStyle;
 using std::numbers::pi;
 
 constexpr int kSteps = 200;
-constexpr double kMargin = 1.1;      // beyond the last target
-constexpr double kDark = 0.002;      // fraction of the peak below which no angle is shown
-constexpr double kLeastError = 0.5;  // percent: an axis of less would show rounding
-constexpr int kTargetColor = 4;      // black
+constexpr double kMargin = 1.1;    // beyond the last target
+constexpr double kDark = 0.002;    // fraction of the peak below which no angle is shown
+constexpr double kMinError = 0.5;  // percent: an axis of less would show rounding
+constexpr int kTargetColor = 4;    // black
 constexpr int kFirstColor = 0;
 constexpr int kPlaneColor = 2;
-constexpr int kLineColor = 7;             // of lines that no data make
-constexpr std::size_t kMostInKey = 40;    // letters of a light's name
-constexpr std::size_t kMostInTitle = 36;  // letters a column of charts, for all names
+constexpr int kLineColor = 7;            // of lines that no data make
+constexpr std::size_t kMaxInKey = 40;    // letters of a light's name
+constexpr std::size_t kMaxInTitle = 36;  // letters a column of charts, for all names
 
 /// A name's first letters: a photometric file's may be a line of any length.
 std::string shortened(std::string name, std::size_t most) {
@@ -52,7 +52,7 @@ struct Subject {
   std::string own_name = fit.light.name;
 
   /// A line's name in the key: of several lights, which colour tells apart, their own.
-  std::string name(const std::string& line) const { return is_alone ? line : shortened(own_name, kMostInKey); }
+  std::string name(const std::string& line) const { return is_alone ? line : shortened(own_name, kMaxInKey); }
   /// That of other lines in the light's colour.
   std::string second_name(const std::string& line) const { return is_alone ? line : ""; }
 };
@@ -88,7 +88,7 @@ command::Axis error_axis(const char* label, const std::vector<Series>& errors) {
       most = std::max(most, point.y);
     }
   }
-  if (std::max(-least, most) < kLeastError) return {.label = label, .least = -kLeastError, .most = kLeastError};
+  if (std::max(-least, most) < kMinError) return {.label = label, .least = -kMinError, .most = kMinError};
   const double room = 0.05 * (most - least);
   return {.label = label, .least = least - room, .most = most + room};
 }
@@ -213,8 +213,8 @@ ConeData cone_data(const Subject& subject, bool is_in_candela) {
 
 /// Marks of a few points, a line through many, whose marks would lie on each other.
 SeriesStyle style_of(const std::vector<PlotPoint>& points, SeriesStyle marks) {
-  constexpr std::size_t kMostMarks = 100;
-  return points.size() > kMostMarks ? SeriesStyle::line : marks;
+  constexpr std::size_t kMaxMarks = 100;
+  return points.size() > kMaxMarks ? SeriesStyle::line : marks;
 }
 
 double value_of(const ConeProfileFit& profile, double unit, double angle_deg) {
@@ -390,7 +390,7 @@ command::Chart spread_chart(const std::vector<Subject>& subjects) {
     chart.series.push_back(
         {.name = subject.name(""), .points = Beam(subject, data).spread(data.end), .color = subject.color});
   }
-  chart.y.most = 1.05 * highest_of(chart.series, kLeastError);
+  chart.y.most = 1.05 * highest_of(chart.series, kMinError);
   return chart;
 }
 
@@ -405,7 +405,7 @@ command::Figure fit_figure(const std::vector<const LightFit*>& fits) {
     columns.push_back({polar_chart(subjects), spread_chart(subjects)});
   }
   command::Figure figure{.columns = int(columns.size())};
-  const std::size_t most = kMostInTitle * columns.size() / fits.size();
+  const std::size_t most = kMaxInTitle * columns.size() / fits.size();
   for (const Subject& subject : subjects) {
     figure.title += (figure.title.empty() ? "" : " / ") + shortened(subject.own_name, most);
   }

@@ -70,7 +70,7 @@ void scale_luminaire(LightTarget& target, double factor, const char* what) {
   if (target.cone) {
     for (ConeSample& sample : target.cone->samples) sample.intensity *= factor;
   }
-  if (check(luminaire.distribution)) {
+  if (find_error(luminaire.distribution)) {
     throw InputError(luminaire.peak_location, "largest intensity", shown_number(target.luminaire_peak.intensity),
                      fmt::format("must be in (0, 1e30] times the {} {}", what, shown_number(factor)));
   }
@@ -134,7 +134,7 @@ void set_range_of_luminaire(LightTarget& target) {
   set_light_peak(target);
   const double peak = *target.light_peak;
   target.range = AttenuationTarget{.extent = extent_of(peak, kEndIlluminance)};
-  if (const auto error = check(*target.range)) {
+  if (const auto error = find_error(*target.range)) {
     throw InputError(target.luminaire->peak_location, "largest intensity",
                      shown_number(target.luminaire_peak.intensity), "must give an extent: " + to_string(*error));
   }
@@ -156,8 +156,8 @@ std::string sentence_on_cone(const LightTarget& target) {
 InputError error_at(const LightSpec& spec, const char* part, const TargetError& error) {
   const std::string holder = error.sample ? fmt::format("{}.samples[{}]", part, *error.sample) : part;
   const auto& [field, value, rule] = error.error;
-  constexpr double kLargestPercentage = 100;  // more is none, but may be lux
-  const bool may_be_lux = field == std::string_view("attenuation") && value > kLargestPercentage;
+  constexpr double kMaxPercentage = 100;  // more is none, but may be lux
+  const bool may_be_lux = field == std::string_view("attenuation") && value > kMaxPercentage;
   return spec.error_at(fmt::format("{}.{}", holder, field), fmt::format("{}", value),
                        std::string(rule) + (may_be_lux ? "; of a table of lx give one row as illuminance" : ""));
 }
@@ -229,7 +229,7 @@ void scale_to_peak(const LightSpec& spec, LightTarget& target, double peak) {
 
 /// Throws the error of a derived extent that cannot be fitted, at the member that puts it there.
 void expect_extent(const LightSpec& spec, double peak, double end) {
-  const auto error_of = [peak](double lux) { return check(AttenuationTarget{.extent = extent_of(peak, lux)}); };
+  const auto error_of = [peak](double lux) { return find_error(AttenuationTarget{.extent = extent_of(peak, lux)}); };
   const auto error = error_of(end);
   if (!error) return;
   const RangeSpec& range = *spec.range;
@@ -274,7 +274,7 @@ void set_range(const LightSpec& spec, LightTarget& light) {
   if (!target.extent && target.samples.empty()) {
     throw spec.error_at("range.extent", "", "must be given, or peak_cd, illuminance, flux_lm or samples");
   }
-  if (const auto error = check(target)) throw error_at(spec, "range", *error);
+  if (const auto error = find_error(target)) throw error_at(spec, "range", *error);
 }
 
 Luminaire read_luminaire_of(const LightSpec& spec) {
@@ -340,7 +340,7 @@ void expect_fittable(const LightSpec& spec, const ConeTarget& target) {
   if (!target.beam_angle && !target.field_angle && target.samples.empty()) {
     throw spec.error_at("cone.beam_angle", "", "must be given, or field_angle_deg, samples or photometry");
   }
-  const auto error = check(target);
+  const auto error = find_error(target);
   if (!error) return;
   if (error->sample && spec.cone->photometry) throw spec.error_at("cone.photometry", "", to_string(*error));
   throw error_at(spec, "cone", *error);
@@ -392,7 +392,7 @@ LightTarget target_of(Luminaire stated, const std::string& path, const FitChoice
   if (!luminaire.name.empty()) target.name = luminaire.name;
   target.source = {luminaire.manufacturer.empty() ? file : fmt::format("{}: {}", file, luminaire.manufacturer)};
   target.derived.push_back(sentence_on_cone(target));
-  if (const auto error = check(*target.cone)) throw InputError({.file = path}, to_string(*error));
+  if (const auto error = find_error(*target.cone)) throw InputError({.file = path}, to_string(*error));
   set_range_of_luminaire(target);
   return target;
 }

@@ -14,7 +14,7 @@ namespace litfog::image {
 namespace {
 
 constexpr const char* kFont = "DejaVuSans";
-constexpr float kLargestHalf = 65'504;
+constexpr float kMaxHalf = 65'504;
 
 OIIO::ImageSpec float_spec(int width, int height) { return {width, height, 3, OIIO::TypeDesc::FLOAT}; }
 
@@ -43,7 +43,7 @@ class OpenImageIo final : public ImageLibrary {
   }
 
   std::string exr_text(int width, int height, std::span<const float> rgb) const override {
-    const bool is_half = std::ranges::all_of(rgb, [](float value) { return !(std::abs(value) > kLargestHalf); });
+    const bool is_half = std::ranges::all_of(rgb, [](float value) { return !(std::abs(value) > kMaxHalf); });
     OIIO::ImageSpec spec(width, height, 3, is_half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("compression", "zip");

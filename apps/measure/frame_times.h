@@ -36,8 +36,9 @@ using DrawFrame = std::function<render::FrameCounts()>;
 DrawFrame frames_of(render::Renderer& renderer);
 
 /// Draws and times frames, the renderers' interleaved, so that no renderer alone is hit where the machine is slow for a
-/// while. The first frame of each is not timed, because drivers compile a shader when it is first drawn with. Of several
-/// renderers the second is not, either: they compile it again where another renderer has changed OpenGL's state.
+/// while. The first frame of each is not timed, because drivers compile a shader when it is first drawn with. Of
+/// several renderers the second is not, either: they compile it again where another renderer has changed OpenGL's
+/// state.
 ///
 /// renderers  of the current GL context; they hold their last frame afterwards
 /// budget     for all renderers together; each draws the same number of frames

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kUnit = 0x1p-22;             // some units in the last place of a float near 1
 constexpr double kHorizonRounding = 0x1p-20;  // of a direction's height, which is interpolated over the picture
-constexpr double kMostRounding = 5e-4;        // of an extent, some kilometres from the origin
+constexpr double kMaxRounding = 5e-4;         // of an extent, some kilometres from the origin
 
 bool is_seen(const glm::dvec3& jump) {
   constexpr double kLeast = 1e-4;  // a third of a step on the display where it is darkest
@@ -49,7 +49,7 @@ bool JumpWatch::is_at_jump(const SurfacePoint& point) const {
   }
   if (is_seen(model_.moonlight(point)) && model_.is_at_moon_shadow_edge(point)) return true;
   return std::ranges::any_of(model_.lights(), [&](const ReferenceLight& light) {
-    const auto ray = ray_within(light.extent * (1 + kMostRounding), light, point.position);
+    const auto ray = ray_within(light.extent * (1 + kMaxRounding), light, point.position);
     return ray && (is_at_jump(point, light, *ray) || is_at_shadow_edge(point, light, *ray));
   });
 }

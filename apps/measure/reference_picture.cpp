@@ -179,7 +179,7 @@ std::vector<std::vector<render::GeometrySample>> read_panes(render::Renderer& re
                                                             const render::GeometryBuffer& geometry, int first,
                                                             int count) {
   std::vector<std::vector<render::GeometrySample>> layers;
-  while (int(layers.size()) < render::GeometryBuffer::kMostLayers) {
+  while (int(layers.size()) < render::GeometryBuffer::kMaxLayers) {
     renderer.draw_pane_geometry(geometry, int(layers.size()));
     std::vector<render::GeometrySample> rows = geometry.read_rows(first, count);
     if (std::ranges::all_of(rows, [](const render::GeometrySample& sample) { return sample.material < 0; })) break;
@@ -200,8 +200,8 @@ ReferencePicture shade_reference(render::Renderer& renderer, const Progress& pro
   const std::size_t pixels = std::size_t(width) * std::size_t(height);
   const render::Picture empty{width, height, std::vector<float>(3 * pixels)};
   ReferencePicture reference{empty, empty, empty, std::vector<std::uint8_t>(pixels)};
-  for (int first = 0; first < height; first += render::GeometryBuffer::kMostRows) {
-    const int count = std::min(render::GeometryBuffer::kMostRows, height - first);
+  for (int first = 0; first < height; first += render::GeometryBuffer::kMaxRows) {
+    const int count = std::min(render::GeometryBuffer::kMaxRows, height - first);
     std::vector<std::vector<render::GeometrySample>> pane_rows;
     if (renderer.has_panes()) {  // which are drawn into the same buffer
       pane_rows = read_panes(renderer, geometry, first, count);

@@ -49,9 +49,7 @@ double auto_exposure(const Picture& picture) {
   return std::clamp(std::round(100 * ev) / 100, -kMaxExposure, kMaxExposure);
 }
 
-glm::vec3 toned(ToneCurve tone, const glm::vec3& color) {
-  return text::toned(tone == ToneCurve::neutral, color);
-}
+glm::vec3 toned(ToneCurve tone, const glm::vec3& color) { return text::toned(tone == ToneCurve::neutral, color); }
 
 Picture displayed(const Picture& picture, const Display& display) {
   const auto gain = float(std::exp2(display.exposure.ev));

@@ -51,8 +51,8 @@ class StageClock {
 }  // namespace
 
 bool is_cut_off(const Picture& picture) {
-  constexpr float kLargestHalf = 65'504;
-  return std::ranges::any_of(picture.rgb, [](float light) { return light >= kLargestHalf; });
+  constexpr float kMaxHalf = 65'504;
+  return std::ranges::any_of(picture.rgb, [](float light) { return light >= kMaxHalf; });
 }
 
 Renderer::Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings)

@@ -15,8 +15,8 @@ struct Camera {
   friend bool operator==(const Camera&, const Camera&) = default;
 };
 
-inline constexpr double kLeastFieldOfViewDeg = 1;
-inline constexpr double kMostFieldOfViewDeg = 150;
+inline constexpr double kMinFieldOfViewDeg = 1;
+inline constexpr double kMaxFieldOfViewDeg = 150;
 
 /// Whether a camera looks anywhere but straight up or down, where its picture would have no upright.
 inline bool has_heading(const Camera& camera) {

@@ -239,9 +239,9 @@ std::optional<RowError> read_row(const Header& header, const CsvRecord& record, 
   }
   row = {{*mode, values[kDensity]}, {values[kConstant], values[kLinear], values[kQuadratic]}, values[kThreshold]};
 
-  auto error = check(row.fog);
-  if (!error) error = check(row.attenuation);
-  if (!error) error = litfog::check_threshold(row.threshold);
+  auto error = find_error(row.fog);
+  if (!error) error = find_error(row.attenuation);
+  if (!error) error = litfog::find_threshold_error(row.threshold);
   if (!error) return std::nullopt;
   std::string_view field = error->field;
   field.remove_prefix(field.rfind('.') + 1);  // "attenuation.linear" is the column linear
@@ -346,7 +346,7 @@ void check_form(const CLI::App& app, const Options& options) {
     fail_form("a light must be given: --constant, --linear, --quadratic or --light or --csv");
   }
   if (!is_given("--light")) {
-    if (const auto error = check(options.attenuation)) {
+    if (const auto error = find_error(options.attenuation)) {
       fail_option("--constant", fmt::format("{}", error->value), error->rule);
     }
   }

@@ -108,7 +108,7 @@ void draw_controls(Session& session, std::size_t index) {
     is_changed |= draw_cone(light.cone, session.scene().lights[index].light.cone == Cone{});
   }
   is_changed |= draw_color(light.color);
-  const auto error = check(light);
+  const auto error = find_error(light);
   if (is_changed && !error) session.change(index, light);
 }
 

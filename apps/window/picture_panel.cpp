@@ -21,7 +21,7 @@ constexpr double kPickReach = 0.04;        // of the height
 constexpr double kTurnPerHeight = 1.5;     // radians for a drag over the picture's height
 constexpr double kZoomPerNotch = 0.85;     // of the target's distance
 constexpr double kTargetsPerSecond = 0.5;  // flying speed in distances to the target
-constexpr double kLeastSpeed = 1;          // metres a second
+constexpr double kMinSpeed = 1;            // metres a second
 constexpr float kWipeReach = 7;            // pixels
 
 void* texture_id(const gl::TextureName& texture) {
@@ -178,7 +178,7 @@ void PicturePanel::fly_by_keys(Session& session) {
   const glm::dvec3 step(key('D') - key('A'), key('E') - key('Q'), key('W') - key('S'));
   if (step == glm::dvec3(0)) return;
   is_moving_ = true;
-  const double speed = std::max(kTargetsPerSecond * target_distance(session.camera), kLeastSpeed);
+  const double speed = std::max(kTargetsPerSecond * target_distance(session.camera), kMinSpeed);
   const double metres = speed * std::min(double(io.DeltaTime), 0.1) * (io.KeyShift ? 4 : 1);
   fly(session.camera, step.x * metres, step.y * metres, step.z * metres);
 }

@@ -50,7 +50,7 @@ class Session {
   bool are_copies(std::size_t a, std::size_t b) const { return scene_.light_entries[a] == scene_.light_entries[b]; }
   /// Takes another light in the place of one, and of its copies. Those keep their names.
   ///
-  /// changed  check() finds nothing wrong with it
+  /// changed  it is valid (find_error())
   void change(std::size_t light, const Light& changed);
   void reset(std::size_t light) { change(light, scene_.lights[light].light); }
   bool is_changed(std::size_t light) const;

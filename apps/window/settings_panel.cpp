@@ -59,7 +59,7 @@ void draw_fog(Session& session) {
   ImGui::BeginDisabled(!options.fog);
   double metres = *options.visibility;
   const char* const format = std::isinf(metres) ? "clear" : metres < 1e4 ? "%.4g m" : "%.0f m";
-  if (slide("Visibility", metres, kLeastVisibility, kMostVisibility, format, ImGuiSliderFlags_Logarithmic)) {
+  if (slide("Visibility", metres, kMinVisibility, kMaxVisibility, format, ImGuiSliderFlags_Logarithmic)) {
     options.visibility = metres;
   }
   draw_presets(options);

@@ -14,8 +14,8 @@ struct VisibilityPreset {
 };
 
 // The slider's ends. Clear air is a preset.
-inline constexpr double kLeastVisibility = 5;  ///< metres
-inline constexpr double kMostVisibility = 50'000;
+inline constexpr double kMinVisibility = 5;  ///< metres
+inline constexpr double kMaxVisibility = 50'000;
 
 /// Approach categories by their lowest runway visual range: ICAO Annex 6 as the AIP of India quotes it (AD 2.1, "Low
 /// visibility procedures"). That is how far lamps are seen, and is taken for the visibility, whatever contrast that

@@ -27,7 +27,7 @@ struct EyeRay {
 };
 
 /// What is wrong with it, or nothing.
-std::optional<ValueError> check(const EyeRay& ray);
+std::optional<ValueError> find_error(const EyeRay& ray);
 
 /// Largest errors of airlight(), from clear air to a visibility of 5 cm, for cones of at least 0.1 degree, |g| <= 0.9.
 ///

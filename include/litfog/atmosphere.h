@@ -29,6 +29,6 @@ struct Atmosphere {
 };
 
 /// What is wrong with an atmosphere, or nothing.
-std::optional<ValueError> check(const Atmosphere& atmosphere);
+std::optional<ValueError> find_error(const Atmosphere& atmosphere);
 
 }  // namespace litfog

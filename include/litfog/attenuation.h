@@ -26,15 +26,15 @@ using AttenuationF = BasicAttenuation<float>;
 inline constexpr double kDefaultThreshold = 0.05;
 
 /// What is wrong with an attenuation (or threshold), or nothing.
-std::optional<ValueError> check(const Attenuation& attenuation);
-std::optional<ValueError> check_threshold(double threshold);
+std::optional<ValueError> find_error(const Attenuation& attenuation);
+std::optional<ValueError> find_threshold_error(double threshold);
 
 /// Largest error of attenuation_at in ulp: five roundings.
 inline constexpr double kAttenuationMaxUlp = 5;
 
 /// a(r), the fraction of its near brightness that a light has at a range. For inner loops: arguments are not checked.
 ///
-/// attenuation  one that check() finds nothing wrong with
+/// attenuation  a valid one (find_error())
 /// range        metres, >= 0; infinity gives the limit
 /// returns      [0, 1]
 /// max error    kAttenuationMaxUlp where the coefficients and the range are 0 or within 1e-100..1e100; beyond, the

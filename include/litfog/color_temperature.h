@@ -7,8 +7,8 @@
 namespace litfog {
 
 /// The colour temperatures that the functions below take, in kelvin.
-inline constexpr double kLeastColorTemperature = 1000;
-inline constexpr double kMostColorTemperature = 25000;
+inline constexpr double kMinColorTemperature = 1000;
+inline constexpr double kMaxColorTemperature = 25000;
 
 /// Largest error of chromaticity_of_temperature() in x and y.
 inline constexpr double kChromaticityMaxError = 4e-4;
@@ -17,7 +17,7 @@ inline constexpr double kChromaticityMaxError = 4e-4;
 /// (Krystek 1985, "An Algorithm to Calculate Correlated Colour Temperature"), daylight from 5000 K (CIE 15:2004,
 /// section 3.1), and between them both of one luminance, mixed in proportion (ANSI/IES TM-30-18).
 ///
-/// kelvin     [kLeastColorTemperature, kMostColorTemperature]
+/// kelvin     [kMinColorTemperature, kMaxColorTemperature]
 /// max error  kChromaticityMaxError against published chromaticities         (color_temperature_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 glm::dvec2 chromaticity_of_temperature(double kelvin);

@@ -100,10 +100,10 @@ inline constexpr std::size_t kMaxConeParameters = 2;  ///< of a profile
 constexpr const ConeProfileFacts& facts_of(ConeProfile profile) { return kConeProfiles[std::size_t(profile)]; }
 
 /// What is wrong with a cone, or nothing.
-std::optional<ValueError> check(const Cone& cone);
+std::optional<ValueError> find_error(const Cone& cone);
 
-// The functions below are for inner loops and do not check their arguments: `cone` is one that check() finds nothing
-// wrong with.
+// The functions below are for inner loops and do not check their arguments: `cone` is one that find_error() finds
+// nothing wrong with.
 
 /// Half angle beyond which a cone is dark: radians, pi for a point light.
 double cutoff_angle(const Cone& cone);

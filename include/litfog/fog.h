@@ -44,7 +44,7 @@ using Fog = BasicFog<double>;
 using FogF = BasicFog<float>;
 
 /// What is wrong with a fog, or nothing.
-std::optional<ValueError> check(const Fog& fog);
+std::optional<ValueError> find_error(const Fog& fog);
 
 /// Fog as a light of a class sees it: the density times the class's scale (1/2.5 for FlightGear's runway lights).
 ///
@@ -59,7 +59,7 @@ inline constexpr double kFogFactorMaxError = 2.5e-16;
 /// Fog factor f(r), the fraction of light that the fog lets through over a range. For inner loops: arguments are not
 /// checked.
 ///
-/// fog        one that check() finds nothing wrong with
+/// fog        a valid one (find_error())
 /// range      metres, >= 0
 /// returns    [0, 1]
 /// max error  kFogFactorMaxError                                                (fog_test.cpp)
@@ -70,7 +70,7 @@ inline constexpr double kOpacityMaxUlp = 4;
 
 /// Opacity 1 - f(r), without the cancellation of the plain form. For inner loops: arguments are not checked.
 ///
-/// fog        one that check() finds nothing wrong with
+/// fog        a valid one (find_error())
 /// range      metres, >= 0
 /// returns    [0, 1]
 /// max error  kOpacityMaxUlp                                                    (fog_test.cpp)

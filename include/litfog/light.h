@@ -36,9 +36,9 @@ struct PlacedLight {
 };
 
 /// What is wrong with a light, or nothing.
-std::optional<ValueError> check(const Light& light);
+std::optional<ValueError> find_error(const Light& light);
 
 /// What is wrong with a placed light, its light included, or nothing. The value of a wrong direction is its length.
-std::optional<ValueError> check(const PlacedLight& light);
+std::optional<ValueError> find_error(const PlacedLight& light);
 
 }  // namespace litfog

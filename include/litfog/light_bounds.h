@@ -23,11 +23,11 @@ struct LightBounds {
 };
 
 /// What is wrong with them, or nothing. The value of a wrong direction is its length.
-std::optional<ValueError> check(const LightBounds& bounds);
+std::optional<ValueError> find_error(const LightBounds& bounds);
 
 /// The bounds of a light within a range, such as light_reach() gives (airlight.h).
 ///
-/// light  one that check() finds nothing wrong with; not checked here
+/// light  a valid one (find_error()); not checked here
 /// range  metres, >= 0
 inline LightBounds bounds_of(const PlacedLight& light, double range) {
   return {light.position, light.direction, range, cutoff_angle(light.light.cone)};

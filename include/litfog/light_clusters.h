@@ -22,11 +22,11 @@ struct ClusterGrid {
   std::uint32_t columns = 16;  ///< [1, 64]
   std::uint32_t rows = 9;      ///< [1, 64]
   std::uint32_t slices = 24;   ///< [1, 64]
-  double first_depth = 5;      ///< metres, [kMinFirstDepth, the view's farthest depth); above its nearest with two slices
+  double first_depth = 5;  ///< metres, [kMinFirstDepth, the view's farthest depth); above its nearest with two slices
 };
 
 /// What is wrong with it, or nothing.
-std::optional<ValueError> check(const ClusterGrid& grid);
+std::optional<ValueError> find_error(const ClusterGrid& grid);
 
 /// The lights of a cluster: `count` entries of the light list from `first` on. As a shader reads it from a buffer.
 struct Cluster {

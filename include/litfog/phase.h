@@ -22,7 +22,7 @@ using PhaseF = BasicPhase<float>;
 inline constexpr const char* kAsymmetryRule = "must be in (-1, 1)";
 
 /// What is wrong with a phase function, or nothing. The functions below take those with which nothing is.
-std::optional<ValueError> check(const Phase& phase);
+std::optional<ValueError> find_error(const Phase& phase);
 
 bool is_isotropic(const Phase& phase);
 

@@ -33,9 +33,9 @@ struct View {
 
 /// What is wrong with it, or nothing. The value of a wrong forward or up is its length, of an up that is not orthogonal
 /// its dot product with forward.
-std::optional<ValueError> check(const View& view);
+std::optional<ValueError> find_error(const View& view);
 
-/// Columns right, up and forward, orthonormal to rounding, of a view that has passed check().
+/// Columns right, up and forward, orthonormal to rounding, of a view that has passed find_error().
 glm::dmat3 axes_of(const View& view);
 
 /// The truncated pyramid that a view shows, to ask whether bodies meet it.

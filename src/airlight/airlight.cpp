@@ -22,9 +22,9 @@ using airlight_text::NoCookie;
 using airlight_text::Text;
 
 void require_all(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray) {
-  require(check(light));
-  require(check(atmosphere));
-  require(check(ray));
+  require(find_error(light));
+  require(find_error(atmosphere));
+  require(find_error(ray));
 }
 
 /// A light in the fog of its class, and what of it is the same for all rays.
@@ -100,9 +100,9 @@ long double integrate_axially(const Attenuation& narrow, const Fog& fog, double 
 
 }  // namespace
 
-std::optional<ValueError> check(const EyeRay& ray) {
-  if (const auto error = check_position(ray.origin, {"origin.x", "origin.y", "origin.z"})) return error;
-  if (const auto error = check_direction(ray.direction, "direction")) return error;
+std::optional<ValueError> find_error(const EyeRay& ray) {
+  if (const auto error = find_position_error(ray.origin, {"origin.x", "origin.y", "origin.z"})) return error;
+  if (const auto error = find_direction_error(ray.direction, "direction")) return error;
   if (!(ray.length >= 0)) return ValueError{"length", ray.length, "must be >= 0"};
   return std::nullopt;
 }
@@ -115,9 +115,9 @@ double airlight(const PlacedLight& light, const Atmosphere& atmosphere, const Ey
 void airlight(const PlacedLight& light, const Atmosphere& atmosphere, std::span<const EyeRay> rays, LampLeg lamp_leg,
               std::span<double> airlights) {
   assert(rays.size() == airlights.size());
-  require(check(light));
-  require(check(atmosphere));
-  for (const EyeRay& ray : rays) require(check(ray));
+  require(find_error(light));
+  require(find_error(atmosphere));
+  for (const EyeRay& ray : rays) require(find_error(ray));
   const SeenLight seen(light, atmosphere, lamp_leg);
   std::transform(rays.begin(), rays.end(), airlights.begin(),
                  [&](const EyeRay& ray) { return fast_airlight(seen, ray); });
@@ -162,8 +162,8 @@ double bound_airlight(const PlacedLight& light, const Atmosphere& atmosphere, co
 }
 
 double light_reach(const Light& light, const Fog& fog, double budget, LampLeg lamp_leg) {
-  require(check(light));
-  require(check(fog));
+  require(find_error(light));
+  require(find_error(fog));
   if (!(budget > 0 && budget < 1)) require(ValueError{"budget", budget, "must be in (0, 1)"});
   const Fog class_fog = unchecked::scaled(fog, light.density_scale);
   const auto shown_at = [&](double range) {
@@ -186,15 +186,15 @@ double light_reach(const Light& light, const Fog& fog, double budget, LampLeg la
 }
 
 double axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold) {
-  require(check(attenuation));
-  require(check(fog));
-  require(check_threshold(threshold));
+  require(find_error(attenuation));
+  require(find_error(fog));
+  require(find_threshold_error(threshold));
   return double(integrate_axially(attenuation, fog, threshold));
 }
 
 double axial_airlight(const Light& light, const Fog& fog) {
-  require(check(light));
-  require(check(fog));
+  require(find_error(light));
+  require(find_error(fog));
   const Fog class_fog = unchecked::scaled(fog, light.density_scale);
   return double(integrate_axially(light.attenuation, class_fog, light.threshold));
 }

@@ -29,9 +29,9 @@ View view_of(const litfog_view* view) { return c::to_cpp(c::at(view, "view")); }
 litfog_status litfog_bounds_of(const litfog_placed_light* light, double range, litfog_light_bounds* bounds) {
   return c::call([&] {
     const PlacedLight placed = c::placed_light(light);
-    require(check(placed));
+    require(find_error(placed));
     const LightBounds found = litfog::bounds_of(placed, range);
-    require(check(found));
+    require(find_error(found));
     c::at(bounds, "bounds") = c::to_c<litfog_light_bounds>(found);
   });
 }

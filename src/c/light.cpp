@@ -49,17 +49,17 @@ litfog_status litfog_default_placed_light(litfog_placed_light* light) {
 }
 
 litfog_status litfog_check_fog(const litfog_fog* fog) {
-  return c::call([&] { require(check(c::fog(fog))); });
+  return c::call([&] { require(find_error(c::fog(fog))); });
 }
 
 litfog_status litfog_check_atmosphere(const litfog_atmosphere* atmosphere) {
-  return c::call([&] { require(check(c::atmosphere(atmosphere))); });
+  return c::call([&] { require(find_error(c::atmosphere(atmosphere))); });
 }
 
 litfog_status litfog_check_light(const litfog_light* light) {
-  return c::call([&] { require(check(c::light(light))); });
+  return c::call([&] { require(find_error(c::light(light))); });
 }
 
 litfog_status litfog_check_placed_light(const litfog_placed_light* light) {
-  return c::call([&] { require(check(c::placed_light(light))); });
+  return c::call([&] { require(find_error(c::placed_light(light))); });
 }

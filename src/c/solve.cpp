@@ -85,7 +85,7 @@ litfog_status litfog_sample(const litfog_light* light, const litfog_fog* fog, in
                             litfog_fog_intensity* solution) {
   return c::call([&] {
     const Light from = c::light(light);
-    require(check(from));
+    require(find_error(from));
     c::at(solution, "solution") = c::to_c<litfog_fog_intensity>(
         sample_fog_intensity(from.attenuation, scaled(c::fog(fog), from.density_scale), from.threshold, samples));
   });

@@ -260,7 +260,7 @@ HWY_INLINE hn::Mask<D> is_beside_cone(D d, const OneLight<D>& light, const Row& 
 /// Appends the runs of a light that meets the view.
 HWY_INLINE void append_runs(const ClusterPlanes& planes, const BlockLights& block, std::size_t i, std::uint32_t index,
                             std::vector<ClusterRun>& runs) {
-  using D = hn::CappedTag<float, kMostParts>;
+  using D = hn::CappedTag<float, kMaxParts>;
   const D d;
   using V = hn::Vec<D>;
   const OneLight<D> light(d, block, i);

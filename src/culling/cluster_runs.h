@@ -11,9 +11,9 @@
 namespace litfog {
 
 /// Most columns, rows or slices: their bits fit an integer.
-inline constexpr std::size_t kMostParts = 64;
+inline constexpr std::size_t kMaxParts = 64;
 /// Room for the planes around them, and for whole vectors from any of these.
-using PlaneColumn = std::array<float, 2 * kMostParts + 1>;
+using PlaneColumn = std::array<float, 2 * kMaxParts + 1>;
 
 /// The bounds of lights as the floats that they are tested in, a column a parameter.
 struct LightColumns {

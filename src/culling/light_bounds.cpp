@@ -12,9 +12,9 @@
 
 namespace litfog {
 
-std::optional<ValueError> check(const LightBounds& bounds) {
-  if (const auto error = check_position(bounds.position, {"position.x", "position.y", "position.z"})) return error;
-  if (const auto error = check_direction(bounds.direction, "direction")) return error;
+std::optional<ValueError> find_error(const LightBounds& bounds) {
+  if (const auto error = find_position_error(bounds.position, {"position.x", "position.y", "position.z"})) return error;
+  if (const auto error = find_direction_error(bounds.direction, "direction")) return error;
   if (!(bounds.range >= 0)) return ValueError{"range", bounds.range, "must be >= 0"};
   if (!is_within(bounds.half_angle, 0, std::numbers::pi)) {
     return ValueError{"half_angle", bounds.half_angle, "must be in [0, pi]"};
@@ -23,7 +23,7 @@ std::optional<ValueError> check(const LightBounds& bounds) {
 }
 
 bool can_light(const LightBounds& light, const glm::dvec3& low, const glm::dvec3& high) {
-  require(check(light));
+  require(find_error(light));
   constexpr std::array kNames{"low.x", "low.y", "low.z"};
   for (int i = 0; i < 3; ++i) {
     if (!(std::isfinite(low[i]) && std::isfinite(high[i]) && low[i] <= high[i])) {

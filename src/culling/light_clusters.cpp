@@ -30,11 +30,11 @@ double octaves_per_slice(const ClusterGrid& grid, const View& view) {
 
 }  // namespace
 
-std::optional<ValueError> check(const ClusterGrid& grid) {
+std::optional<ValueError> find_error(const ClusterGrid& grid) {
   const std::pair<const char*, std::uint32_t> parts[] = {
       {"columns", grid.columns}, {"rows", grid.rows}, {"slices", grid.slices}};
   for (const auto& [name, count] : parts) {
-    if (!(count >= 1 && count <= kMostParts)) return ValueError{name, double(count), "must be in [1, 64]"};
+    if (!(count >= 1 && count <= kMaxParts)) return ValueError{name, double(count), "must be in [1, 64]"};
   }
   if (!(grid.first_depth >= kMinFirstDepth && is_within(grid.first_depth, 0, kMaxPosition))) {
     return ValueError{"first_depth", grid.first_depth, "must be in [1e-12, 16777216]"};
@@ -52,7 +52,7 @@ double slice_depth(const ClusterGrid& grid, const View& view, std::uint32_t slic
 class LightClusters::Store {
  public:
   explicit Store(const ClusterGrid& grid) : grid_(grid) {
-    require(check(grid));
+    require(find_error(grid));
     clusters_.resize(std::size_t(grid.columns) * grid.rows * grid.slices);
   }
 
@@ -110,7 +110,7 @@ void LightClusters::Store::resize(std::size_t count) {
 
 void LightClusters::Store::set_light(std::size_t light, const LightBounds& bounds) {
   if (light >= bounds_.size()) require(ValueError{"light", double(light), "must be below the number of lights"});
-  require(check(bounds));
+  require(find_error(bounds));
   LightBounds& held = bounds_[light];
   if (bounds == held) return;
   held.range = bounds.range;
@@ -125,7 +125,7 @@ void LightClusters::Store::set_light(std::size_t light, const LightBounds& bound
 }
 
 bool LightClusters::Store::update(const View& view) {
-  require(check(view));
+  require(find_error(view));
   if (!(grid_.first_depth < view.farthest)) {
     require(ValueError{"farthest", view.farthest, "must be above the grid's first_depth"});
   }

@@ -139,10 +139,10 @@ class Simplex {
 /// rounding  metres: bodies that are farther apart than the margin by up to this may be called within it, too
 template <typename Body>
 bool is_within(const Corners& corners, const glm::dvec3& start, const Body& body, double margin, double rounding) {
-  constexpr int kMostSteps = 64;  // the bodies then touch, but for rounding
+  constexpr int kMaxSteps = 64;  // the bodies then touch, but for rounding
   Simplex simplex;
   glm::dvec3 apart = start - body.nearest_to(start);  // a difference of their points
-  for (int step = 0; step < kMostSteps; ++step) {
+  for (int step = 0; step < kMaxSteps; ++step) {
     const double distance = glm::length(apart);
     if (distance <= margin + rounding) return true;
     // All differences lie beyond the plane across `apart` through this one.
@@ -156,9 +156,9 @@ bool is_within(const Corners& corners, const glm::dvec3& start, const Body& body
   return true;
 }
 
-/// Whether a light that has passed check() can light anything in a polytope that is not all beyond its range: never
-/// false where it can. The corners are at most `size` from the origin. `apex` is the light's position as the corners
-/// are given, which may be from the eye; `start` is that of is_within().
+/// Whether a light that has passed find_error() can light anything in a polytope that is not all beyond its range:
+/// never false where it can. The corners are at most `size` from the origin. `apex` is the light's position as the
+/// corners are given, which may be from the eye; `start` is that of is_within().
 inline bool can_light(const LightBounds& light, const glm::dvec3& apex, const Corners& corners, const glm::dvec3& start,
                       double size) {
   if (light.range == 0) return false;

@@ -11,10 +11,10 @@
 
 namespace litfog {
 
-std::optional<ValueError> check(const View& view) {
-  if (const auto error = check_position(view.eye, {"eye.x", "eye.y", "eye.z"})) return error;
-  if (const auto error = check_direction(view.forward, "forward")) return error;
-  if (const auto error = check_direction(view.up, "up")) return error;
+std::optional<ValueError> find_error(const View& view) {
+  if (const auto error = find_position_error(view.eye, {"eye.x", "eye.y", "eye.z"})) return error;
+  if (const auto error = find_direction_error(view.forward, "forward")) return error;
+  if (const auto error = find_direction_error(view.up, "up")) return error;
   const double dot = glm::dot(view.forward, view.up);
   if (!(std::abs(dot) <= kDirectionTolerance)) {
     return ValueError{"up", dot, "must be orthogonal to forward within 1e-6"};
@@ -41,7 +41,7 @@ glm::dmat3 axes_of(const View& view) {
 }
 
 ViewFrustum::ViewFrustum(const View& view) : eye_(view.eye) {
-  require(check(view));
+  require(find_error(view));
   const glm::dmat3 axes = axes_of(view);
   auto corner = corners_.begin();
   for (const double depth : {view.nearest, view.farthest}) {
@@ -53,14 +53,14 @@ ViewFrustum::ViewFrustum(const View& view) : eye_(view.eye) {
 }
 
 bool ViewFrustum::can_see(const glm::dvec3& centre, double radius) const {
-  require(check_position(centre, {"centre.x", "centre.y", "centre.z"}));
+  require(find_position_error(centre, {"centre.x", "centre.y", "centre.z"}));
   if (!(radius >= 0)) require(ValueError{"radius", radius, "must be >= 0"});
   const glm::dvec3 from_eye = centre - eye_;
   return is_within(corners_, corners_[0], Point{from_eye}, radius, kPolytopeRounding * (size_ + glm::length(from_eye)));
 }
 
 bool ViewFrustum::can_see(const LightBounds& light) const {
-  require(check(light));
+  require(find_error(light));
   return can_see(light.position, light.range) && can_light(light, light.position - eye_, corners_, corners_[0], size_);
 }
 

@@ -10,8 +10,8 @@ namespace litfog::files {
 
 double degrees(double radians) {
   const double quotient = radians / std::numbers::pi * 180;
-  constexpr int kMostDigits = 17;
-  for (int digits = 1; digits <= kMostDigits; ++digits) {
+  constexpr int kMaxDigits = 17;
+  for (int digits = 1; digits <= kMaxDigits; ++digits) {
     std::array<char, 32> text;  // 17 digits, a sign, a point and an exponent
     char* const end =
         std::to_chars(text.data(), text.data() + text.size(), quotient, std::chars_format::scientific, digits - 1).ptr;

@@ -103,7 +103,7 @@ Light parse_light(const JsonValue& value) {
   if (const auto cone = value.optional("cone")) light.cone = parse_cone(*cone);
   light.density_scale = value.number_or("density_scale", light.density_scale);
 
-  if (const auto error = check(light)) fail_light(value, *error);
+  if (const auto error = find_error(light)) fail_light(value, *error);
   return light;
 }
 
@@ -137,7 +137,7 @@ std::string format_light(const Light& light, const std::vector<std::string>& sou
 }
 
 void write_light(const std::string& path, const Light& light, const std::vector<std::string>& source) {
-  require(check(light));
+  require(find_error(light));
   files::write_whole_file(path, format_light(light, source));
 }
 

@@ -9,7 +9,7 @@ namespace litfog::files {
 /// A light within another file, in which "litfog", "version" and "name" may be left out. Throws InputError.
 Light parse_light(const JsonValue& value);
 
-/// Throws what check() finds wrong with a light, at the member it came from and in the file's terms.
+/// Throws what find_error() finds wrong with a light, at the member it came from and in the file's terms.
 ///
 /// light  an object with members of a light, which may be of another kind of file
 [[noreturn]] void fail_light(const JsonValue& light, const ValueError& error);

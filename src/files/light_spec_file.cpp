@@ -159,8 +159,8 @@ LightSpec parse_spec(const JsonValue& root) {
   if (const auto temperature = root.optional("color_temperature_k")) {
     if (color) temperature->fail("must not be given beside color");
     const double kelvin = temperature->number();
-    if (!is_within(kelvin, kLeastColorTemperature, kMostColorTemperature)) {
-      temperature->fail(fmt::format("must be in [{}, {}]", kLeastColorTemperature, kMostColorTemperature));
+    if (!is_within(kelvin, kMinColorTemperature, kMaxColorTemperature)) {
+      temperature->fail(fmt::format("must be in [{}, {}]", kMinColorTemperature, kMaxColorTemperature));
     }
     spec.color_temperature = kelvin;
     spec.color = color_of_temperature(kelvin);
@@ -169,7 +169,7 @@ LightSpec parse_spec(const JsonValue& root) {
   Light light;
   light.color = spec.color;
   light.density_scale = spec.density_scale;
-  if (const auto error = check(light)) fail_light(root, *error);
+  if (const auto error = find_error(light)) fail_light(root, *error);
 
   const auto range = root.optional("range");
   const auto cone = root.optional("cone");

@@ -21,8 +21,8 @@ std::filesystem::path behind_links(std::filesystem::path path);
 /// that work long before they write. Devices, pipes and the files of standard output and error are not tried.
 void expect_writable(const std::string& path);
 
-/// Removes from a folder the temporary files that processes left there which a signal ended while they wrote. Those that
-/// a process writes to are locked, and stay.
+/// Removes from a folder the temporary files that processes left there which a signal ended while they wrote. Those
+/// that a process writes to are locked, and stay.
 void remove_stale_temporaries(const std::filesystem::path& folder);
 
 /// Whether write_whole_file() would replace a file that is there and holds something.

@@ -17,41 +17,41 @@
 namespace litfog {
 namespace {
 
-constexpr double kLeastAttenuation = 1e-100;
-constexpr double kLeastRange = 1e-30;
-constexpr double kLargestRange = 1e30;
-constexpr double kLargestFactor = 1e100;
+constexpr double kMinAttenuation = 1e-100;
+constexpr double kMinRange = 1e-30;
+constexpr double kMaxRange = 1e30;
+constexpr double kMaxFactor = 1e100;
 
 /// Samples out of reach by less than this are left to the fit: figures are seldom given to more digits.
 constexpr double kReading = 1e-3;
 
-constexpr std::size_t kMostDescribed = 3;  // samples out of reach: a sentence, not a table
+constexpr std::size_t kMaxDescribed = 3;  // samples out of reach: a sentence, not a table
 
 /// A target of which what lies beyond a limit by a float's rounding is the limit.
 AttenuationTarget at_limits(AttenuationTarget target) {
-  target.threshold = snapped(target.threshold, kLeastAttenuation, std::numeric_limits<double>::max());
-  if (target.extent) target.extent = snapped(*target.extent, kLeastRange, kLargestRange);
-  if (target.constant) target.constant = snapped(*target.constant, 0, kLargestFactor);
+  target.threshold = snapped(target.threshold, kMinAttenuation, std::numeric_limits<double>::max());
+  if (target.extent) target.extent = snapped(*target.extent, kMinRange, kMaxRange);
+  if (target.constant) target.constant = snapped(*target.constant, 0, kMaxFactor);
   for (AttenuationSample& sample : target.samples) {
-    sample.range = snapped(sample.range, kLeastRange, kLargestRange);
-    sample.attenuation = snapped(sample.attenuation, kLeastAttenuation, 1);
-    sample.weight = snapped(sample.weight, 1 / kLargestFactor, kLargestFactor);
+    sample.range = snapped(sample.range, kMinRange, kMaxRange);
+    sample.attenuation = snapped(sample.attenuation, kMinAttenuation, 1);
+    sample.weight = snapped(sample.weight, 1 / kMaxFactor, kMaxFactor);
   }
   return target;
 }
 
-std::optional<ValueError> check(const AttenuationSample& sample, const AttenuationSample* previous) {
+std::optional<ValueError> find_error(const AttenuationSample& sample, const AttenuationSample* previous) {
   const auto [range, attenuation, weight] = sample;
-  if (range != 0 && !is_within(range, kLeastRange, kLargestRange)) {
+  if (range != 0 && !is_within(range, kMinRange, kMaxRange)) {
     return ValueError{"range", range, "must be 0, or in [1e-30, 1e30]"};
   }
   if (previous != nullptr && !(range > previous->range)) {
     return ValueError{"range", range, "must be greater than the range before it"};
   }
-  if (!is_within(attenuation, kLeastAttenuation, 1)) {
+  if (!is_within(attenuation, kMinAttenuation, 1)) {
     return ValueError{"attenuation", attenuation, "must be in [1e-100, 1]"};
   }
-  if (weight != 0 && !is_within(weight, 1 / kLargestFactor, kLargestFactor)) {
+  if (weight != 0 && !is_within(weight, 1 / kMaxFactor, kMaxFactor)) {
     return ValueError{"weight", weight, "must be 0, or in [1e-100, 1e100]"};
   }
   return std::nullopt;
@@ -184,7 +184,7 @@ std::string describe_out_of_reach(const AttenuationTarget& target, const Scaled&
                            : 0;
     if (distance(sample) > std::max(kReading, 3 * std::max(scatter, off))) beyond.push_back(i);
   }
-  const std::size_t shown = std::min(beyond.size(), kMostDescribed);
+  const std::size_t shown = std::min(beyond.size(), kMaxDescribed);
   std::ranges::partial_sort(beyond, beyond.begin() + std::ptrdiff_t(shown), std::greater(),
                             [&](std::size_t i) { return distance(target.samples[i]); });
   std::sort(beyond.begin(), beyond.begin() + std::ptrdiff_t(shown));
@@ -269,23 +269,23 @@ const char* name_of(AttenuationConstraint constraint) {
   return "";
 }
 
-std::optional<TargetError> check(const AttenuationTarget& given) {
+std::optional<TargetError> find_error(const AttenuationTarget& given) {
   const AttenuationTarget target = at_limits(given);
   const auto error = [](const char* field, double value, const char* rule) {
     return TargetError{{field, value, rule}, std::nullopt};
   };
-  if (!(target.threshold >= kLeastAttenuation && target.threshold < 1)) {
+  if (!(target.threshold >= kMinAttenuation && target.threshold < 1)) {
     return error("threshold", target.threshold, "must be in [1e-100, 1)");
   }
-  if (target.extent && !is_within(*target.extent, kLeastRange, kLargestRange)) {
+  if (target.extent && !is_within(*target.extent, kMinRange, kMaxRange)) {
     return error("extent", *target.extent, "must be in [1e-30, 1e30]");
   }
-  if (target.constant && !is_within(*target.constant, 0, kLargestFactor)) {
+  if (target.constant && !is_within(*target.constant, 0, kMaxFactor)) {
     return error("constant", *target.constant, "must be in [0, 1e100]");
   }
   std::size_t count = 0;
   for (std::size_t i = 0; i < target.samples.size(); ++i) {
-    if (const auto found = check(target.samples[i], i > 0 ? &target.samples[i - 1] : nullptr)) {
+    if (const auto found = find_error(target.samples[i], i > 0 ? &target.samples[i - 1] : nullptr)) {
       return TargetError{*found, i};
     }
     if (target.samples[i].weight > 0) ++count;
@@ -301,12 +301,12 @@ std::optional<TargetError> check(const AttenuationTarget& given) {
 
 AttenuationFit fit_attenuation(const AttenuationTarget& given) {
   const AttenuationTarget asked = at_limits(given);
-  if (const auto error = check(asked)) throw std::invalid_argument(to_string(*error));
+  if (const auto error = find_error(asked)) throw std::invalid_argument(to_string(*error));
   const auto start = std::chrono::steady_clock::now();
   AttenuationFit fit;
   fit.threshold = asked.threshold;
   AttenuationTarget target = asked;
-  const double largest_constant = kLargestConstantFraction / asked.threshold;
+  const double largest_constant = kMaxConstantFraction / asked.threshold;
   if (asked.extent && asked.constant && *asked.constant > largest_constant) {
     fit.status = AttenuationFitStatus::infeasible;
     fit.sentence = describe_constant_reach(asked, largest_constant);

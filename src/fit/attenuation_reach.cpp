@@ -58,9 +58,9 @@ std::string format_within(double value, double low, double high, int few = 4) {
           std::to_chars(text.data(), text.data() + text.size(), candidate, std::chars_format::general, digits).ptr;
       double rounded = 0;
       std::from_chars(text.data(), end, rounded);
-      constexpr int kMostShown = 9;  // beyond which shown_number() rounds
+      constexpr int kMaxShown = 9;  // beyond which shown_number() rounds
       if (!(rounded >= low && rounded <= high)) continue;
-      return digits <= kMostShown ? shown_number(rounded) : std::string(text.data(), end);
+      return digits <= kMaxShown ? shown_number(rounded) : std::string(text.data(), end);
     }
   }
   return number_text(value);

@@ -146,7 +146,7 @@ ConeTarget at_limits(ConeTarget target) {
 
 std::span<const ConeParameter> fitted_parameters(ConeProfile profile) { return fitter_of(profile).parameters; }
 
-std::optional<TargetError> check(const ConeTarget& given) {
+std::optional<TargetError> find_error(const ConeTarget& given) {
   const ConeTarget target = at_limits(given);
   const auto error = [](const char* field, double value, const char* rule, std::optional<std::size_t> sample = {}) {
     return TargetError{{field, value, rule}, sample};
@@ -202,7 +202,7 @@ double peak_of(const std::vector<ConeSample>& samples) {
 }
 
 ConeFit fit_cone(const ConeTarget& given) {
-  if (const auto error = check(given)) throw std::invalid_argument(to_string(*error));
+  if (const auto error = find_error(given)) throw std::invalid_argument(to_string(*error));
   ConeTarget target = at_limits(given);
   std::erase_if(target.samples, [](const ConeSample& sample) { return sample.weight == 0; });
   const auto begin = std::chrono::steady_clock::now();

@@ -65,7 +65,7 @@ std::optional<ConeParameters> CosineProfile::start(const ConeBox& box) const {
 }
 
 double CosineProfile::objective(const ConeParameters& parameters) const {
-  constexpr std::size_t kMostKept = 1 << 20;  // 8 MB
+  constexpr std::size_t kMaxKept = 1 << 20;  // 8 MB
   const double exponent = exponent_of(parameters[0]);
   std::vector<double> powers;
   powers.reserve(cuts_.back());
@@ -73,7 +73,7 @@ double CosineProfile::objective(const ConeParameters& parameters) const {
                         powers.push_back(std::pow(points_[i].cosine, exponent));
                         return points_[i].loss(powers.back());
                       }).loss;
-  if (powers_.size() * points_.size() < kMostKept) powers_[exponent] = std::move(powers);
+  if (powers_.size() * points_.size() < kMaxKept) powers_[exponent] = std::move(powers);
   return loss;
 }
 

@@ -256,13 +256,13 @@ Coefficients linear_start(const Falloff& falloff) {
 }
 
 FalloffMinimum approach(const Falloff& falloff, const Coefficients& start, double tolerance) {
-  constexpr double kLeastDamping = 1e-2, kLargestDamping = 1e8;
+  constexpr double kMinDamping = 1e-2, kMaxDamping = 1e8;
   FalloffMinimum minimum{.coefficients = within_bounds(falloff, start)};
   auto& q = minimum.coefficients;
   Slopes<double> at = slopes_at(falloff, q, Bend::upward);
   double damping = 0;
   bool releases = false;  // not before the others are at a minimum: of several minima, that with more zeros
-  while (damping < kLargestDamping && std::isfinite(at.objective)) {
+  while (damping < kMaxDamping && std::isfinite(at.objective)) {
     const auto [next, blocked] = newton_step(falloff, q, at, damping, releases);
     const Slopes<double> at_next = slopes_at(falloff, next, Bend::upward);
     ++minimum.iterations;
@@ -272,9 +272,9 @@ FalloffMinimum approach(const Falloff& falloff, const Coefficients& start, doubl
     if (fall > 0) {
       q = next;
       at = at_next;
-      damping = damping > kLeastDamping ? damping / 10 : 0;
+      damping = damping > kMinDamping ? damping / 10 : 0;
     } else if (!is_done) {
-      damping = std::max(10 * damping, kLeastDamping);
+      damping = std::max(10 * damping, kMinDamping);
     }
     releases = is_done;
   }

@@ -64,7 +64,7 @@ class Loss {
 };
 
 /// Bound of C where an extent is given, in units of 1/threshold.
-inline constexpr double kLargestConstantFraction = 1 - 0x1p-20;
+inline constexpr double kMaxConstantFraction = 1 - 0x1p-20;
 
 /// Minimise sum w loss(y - ln max(1, D)), D = q0 + q1 x + q2 x^2, over q >= 0.
 struct Falloff {
@@ -91,7 +91,7 @@ struct Falloff {
   double negligible() const { return 1e-24 * weight_sum(); }
   double objective(const Coefficients& q) const;
   /// Largest C that leaves an extent; only with an end and without a constant.
-  double largest_constant() const { return kLargestConstantFraction * double(end->top); }
+  double largest_constant() const { return kMaxConstantFraction * double(end->top); }
   /// Whether the clamp holds the sample's attenuation at 1, so that its residual has no slope. At D = 1 the slope is
   /// that above, which is 0 for a sample with attenuation 1.
   template <typename Real>

@@ -54,14 +54,14 @@ namespace {
 constexpr double kGap = 1e-7;
 constexpr double kRounding = 1e-13;  ///< by which bounds on D are widened
 /// Terms bounded before the search gives up, about a second; and a box's own work, counted in terms.
-constexpr std::size_t kLargestEffort = 5'000'000;
+constexpr std::size_t kMaxEffort = 5'000'000;
 constexpr std::size_t kBoxEffort = 10;
 
 /// Below this D a dark sample's term is taken as its value at 0, without a slope.
-constexpr double kLeastSmooth = 1e-6;
+constexpr double kMinSmooth = 1e-6;
 
 /// Steps from the reference, as fractions of its D, below which h loses digits: from here on it has twelve.
-constexpr double kLeastStep = 0.1;
+constexpr double kMinStep = 0.1;
 
 /// Of its objective, to which a reference other than a minimum is found: its own slope takes little from the bounds.
 constexpr double kReferenceTolerance = 1e-8;
@@ -247,8 +247,8 @@ class HeldSearch {
     for (std::size_t i = 0; i < terms_.size(); ++i) {
       Term& term = terms_[i];
       const double d = denominator(reference, term.x);
-      if (!is_held(i) && term.y > 0 && !(d > kLeastSmooth)) is_reference_smooth_ = false;
-      term.reference_d = std::max(d, kLeastSmooth);
+      if (!is_held(i) && term.y > 0 && !(d > kMinSmooth)) is_reference_smooth_ = false;
+      term.reference_d = std::max(d, kMinSmooth);
       term.log_reference_d = std::log(term.reference_d);
       term.tangent = tangent(term, term.reference_d, term.log_reference_d);
       if (is_held(i)) set_slope(term, d > 1 ? term.tangent.slope : 0);
@@ -374,7 +374,7 @@ class HeldSearch {
     for (std::size_t i = 0; i < terms_.size(); ++i) {
       if (is_held(i)) continue;
       const Term& term = terms_[i];
-      sum.add(line_below(term, ranges_[i], std::max(denominator(point, term.x), kLeastSmooth)), term.x);
+      sum.add(line_below(term, ranges_[i], std::max(denominator(point, term.x), kMinSmooth)), term.x);
     }
     return sum.value + smallest_of(sum.slope, box);
   }
@@ -432,7 +432,7 @@ class HeldSearch {
       if (!falloff_.loss.is_plain() || term.y == 0) break;
       const double log_step = (is_high ? range.log_d.high : range.log_d.low) - term.log_reference_d;
       const double step = (is_high ? range.d.high : range.d.low) / r - 1;
-      if (std::abs(step) < kLeastStep) continue;
+      if (std::abs(step) < kMinStep) continue;
       const double above_tangent = log_step * log_step - 2 * z * (step - log_step);           // per weight
       const double rise = step * (((z + log_step) / (1 + step) - z) * step - above_tangent);  // has the sign of h'
       if (is_high ? rise <= 0 : rise >= 0) return 2 * term.weight * above_tangent / (step * r * (step * r));
@@ -520,7 +520,7 @@ class HeldSearch {
 FalloffSearch search(const Falloff& falloff, const FalloffMinimum& local) {
   const auto& samples = falloff.samples;
   FalloffSearch result{local, 0, true};
-  const std::size_t max_boxes = kLargestEffort / (samples.size() + kBoxEffort);
+  const std::size_t max_boxes = kMaxEffort / (samples.size() + kBoxEffort);
   double held_cost = 0;
   for (std::size_t k = 0; result.is_proven && held_cost <= wanted_objective(falloff, result.minimum); ++k) {
     HeldSearch problem(falloff, k, held_cost, result.minimum);

@@ -18,7 +18,7 @@ double level_range_in_double(const Attenuation& attenuation, double level) {
 
 }  // namespace
 
-std::optional<ValueError> check(const Attenuation& attenuation) {
+std::optional<ValueError> find_error(const Attenuation& attenuation) {
   const auto [constant, linear, quadratic] = attenuation;
   constexpr const char* kRule = "must be finite and >= 0";
   if (!is_finite_and_not_negative(constant)) return ValueError{"attenuation.constant", constant, kRule};
@@ -30,7 +30,7 @@ std::optional<ValueError> check(const Attenuation& attenuation) {
   return std::nullopt;
 }
 
-std::optional<ValueError> check_threshold(double threshold) {
+std::optional<ValueError> find_threshold_error(double threshold) {
   if (!(threshold > 0 && threshold < 1)) return ValueError{"threshold", threshold, "must be in (0, 1)"};
   return std::nullopt;
 }
@@ -48,8 +48,8 @@ double unchecked::compute_extent(const Attenuation& attenuation, double threshol
 }
 
 double compute_extent(const Attenuation& attenuation, double threshold) {
-  require(check(attenuation));
-  require(check_threshold(threshold));
+  require(find_error(attenuation));
+  require(find_threshold_error(threshold));
   return unchecked::compute_extent(attenuation, threshold);
 }
 
@@ -59,7 +59,7 @@ float compute_extent(const AttenuationF& attenuation, float threshold) {
 }
 
 double compute_knee(const Attenuation& attenuation) {
-  require(check(attenuation));
+  require(find_error(attenuation));
   return level_range_in_double(attenuation, 1);
 }
 

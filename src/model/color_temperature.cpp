@@ -35,9 +35,9 @@ glm::dvec3 tristimulus(const glm::dvec2& xy) { return {xy.x / xy.y, 1, (1 - xy.x
 }  // namespace
 
 glm::dvec2 chromaticity_of_temperature(double kelvin) {
-  static_assert(kLeastColorTemperature == 1000 && kMostColorTemperature == 25000);
-  kelvin = snapped(kelvin, kLeastColorTemperature, kMostColorTemperature);
-  if (!(kelvin >= kLeastColorTemperature && kelvin <= kMostColorTemperature)) {
+  static_assert(kMinColorTemperature == 1000 && kMaxColorTemperature == 25000);
+  kelvin = snapped(kelvin, kMinColorTemperature, kMaxColorTemperature);
+  if (!(kelvin >= kMinColorTemperature && kelvin <= kMaxColorTemperature)) {
     require(ValueError{"kelvin", kelvin, "must be in [1000, 25000]"});
   }
   if (kelvin <= kLastBlackBody) return black_body(kelvin);

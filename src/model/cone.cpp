@@ -14,7 +14,7 @@ namespace litfog {
 
 using std::numbers::pi;
 
-std::optional<ValueError> check(const Cone& cone) {
+std::optional<ValueError> find_error(const Cone& cone) {
   using namespace cone_parameters;
   const auto error = [&cone](const ConeParameter& of) { return ValueError{of.field, cone.*of.member, of.rule}; };
   const ConeParameter* const cutoff = facts_of(cone.profile).cutoff;

@@ -32,7 +32,7 @@ BasicFog<Real> BasicFog<Real>::from_visibility(FogMode mode, Real metres, Real c
 template struct BasicFog<double>;
 template struct BasicFog<float>;
 
-std::optional<ValueError> check(const Fog& fog) {
+std::optional<ValueError> find_error(const Fog& fog) {
   if (!(fog.density >= 0)) return ValueError{"fog.density", fog.density, "must be >= 0"};
   return std::nullopt;
 }
@@ -42,7 +42,7 @@ Fog unchecked::scaled(const Fog& fog, double density_scale) {
 }
 
 Fog scaled(const Fog& fog, double density_scale) {
-  require(check(fog));
+  require(find_error(fog));
   if (!is_finite_and_not_negative(density_scale)) {
     require(ValueError{"density_scale", density_scale, "must be finite and >= 0"});
   }

@@ -7,7 +7,7 @@
 
 namespace litfog {
 
-std::optional<ValueError> check(const Phase& phase) {
+std::optional<ValueError> find_error(const Phase& phase) {
   if (!(phase.asymmetry > -1 && phase.asymmetry < 1)) return ValueError{"asymmetry", phase.asymmetry, kAsymmetryRule};
   return std::nullopt;
 }
@@ -21,8 +21,8 @@ double largest_phase(const Phase& phase, double lowest, double highest) {
 }
 
 PhaseF to_floats(const Phase& phase) {
-  constexpr float kLargest = 0x1.fffffep-1f;
-  return {.asymmetry = std::clamp(float(phase.asymmetry), -kLargest, kLargest)};
+  constexpr float kMax = 0x1.fffffep-1f;
+  return {.asymmetry = std::clamp(float(phase.asymmetry), -kMax, kMax)};
 }
 
 }  // namespace litfog

@@ -41,7 +41,8 @@ inline std::optional<ValueError> check_color(const glm::dvec3& color, const std:
 }
 
 /// What is wrong with a position whose coordinates are called so, or nothing.
-inline std::optional<ValueError> check_position(const glm::dvec3& position, const std::array<const char*, 3>& names) {
+inline std::optional<ValueError> find_position_error(const glm::dvec3& position,
+                                                     const std::array<const char*, 3>& names) {
   for (int i = 0; i < 3; ++i) {
     if (!is_within(position[i], -kMaxPosition, kMaxPosition)) {
       return ValueError{names[std::size_t(i)], position[i], "must be at most 16777216 in magnitude"};
@@ -51,7 +52,7 @@ inline std::optional<ValueError> check_position(const glm::dvec3& position, cons
 }
 
 /// What is wrong with a direction, or nothing. The value is its length.
-inline std::optional<ValueError> check_direction(const glm::dvec3& direction, const char* name) {
+inline std::optional<ValueError> find_direction_error(const glm::dvec3& direction, const char* name) {
   const double length = glm::length(direction);
   if (!(std::abs(length - 1) <= kDirectionTolerance)) return ValueError{name, length, "length must be 1 within 1e-6"};
   return std::nullopt;

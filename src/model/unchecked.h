@@ -7,8 +7,8 @@
 #include "litfog/light.h"
 #include "litfog/solve.h"
 
-// The public calls of the same names for arguments that have passed check(). Internal: a call checks what it is given
-// once, at its edge, and uses these from there on.
+// The public calls of the same names for arguments that have passed find_error(). Internal: a call checks what it is
+// given once, at its edge, and uses these from there on.
 
 namespace litfog::unchecked {
 

@@ -21,7 +21,7 @@ using std::numbers::pi;
 
 constexpr int kAxialSteps = 720;  // of a quarter degree, from an axis to its opposite
 constexpr double kAxialStep = pi / kAxialSteps;
-constexpr double kLeastAxialStep = kAxialStep / 25;
+constexpr double kMinAxialStep = kAxialStep / 25;
 constexpr int kFineSteps = 100;  // of a finer grid, from the axis
 
 bool is_own_axis(const IntensityDistribution& distribution, const glm::dvec3& axis) {
@@ -69,7 +69,7 @@ double least_difference(std::span<const double> angles) {
 std::vector<double> even_angles(const IntensityDistribution& distribution) {
   double step = least_difference(distribution.vertical);
   if (distribution.type != PhotometryType::c) step = std::min(step, least_difference(distribution.horizontal));
-  step = std::max(step, kLeastAxialStep);
+  step = std::max(step, kMinAxialStep);
   std::vector<double> angles;
   for (int i = 0; step < kAxialStep && i < kFineSteps; ++i) angles.push_back(i * step);
   const double beyond = angles.empty() ? 0 : angles.back() + step / 2;
@@ -200,7 +200,7 @@ class AxialBeam::Circles {
 
 AxialBeam::AxialBeam(const IntensityDistribution& distribution, const glm::dvec3& axis)
     : distribution_(&distribution), axis_(axis) {
-  require(check(distribution));
+  require(find_error(distribution));
   if (!is_own_axis(distribution, axis)) circles_ = std::make_unique<Circles>(distribution, axis);
 }
 
@@ -245,7 +245,7 @@ double AxialBeam::asymmetry(double limit) {
 }
 
 std::vector<AxialSample> plane_profile(const IntensityDistribution& distribution, double turn, const glm::dvec3& axis) {
-  require(check(distribution));
+  require(find_error(distribution));
   if (!std::isfinite(turn)) require(ValueError{"turn", turn, "must be finite"});
   const glm::dmat3 frame = luminaire_from_light(axis);
   std::vector<AxialSample> profile;

@@ -114,7 +114,7 @@ CircleSampler::CircleSampler(const IntensityDistribution& distribution, const gl
 
 Circle CircleSampler::at(double angle) const {
   const double sine = std::sin(angle), cosine = std::cos(angle);
-  const int wanted = std::max(kLeastSteps, int(std::ceil(kEquatorSteps * sine)));
+  const int wanted = std::max(kMinSteps, int(std::ceil(kEquatorSteps * sine)));
   const std::vector<PoleCoordinates>& rim = rims_[std::size_t(kEquatorSteps / wanted) - 1];
   Column pole, ahead, aside, radius, turns, rises;
   std::size_t lit = 0;  // of directions that may be

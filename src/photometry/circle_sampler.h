@@ -13,7 +13,7 @@
 namespace litfog {
 
 inline constexpr int kEquatorSteps = 360;  // of the largest circle about an axis; of others by their circumference
-inline constexpr int kLeastSteps = 72;     // of any circle
+inline constexpr int kMinSteps = 72;       // of any circle
 
 /// The intensities on a circle about an axis.
 struct Circle {
@@ -51,7 +51,7 @@ class CircleSampler {
  private:
   CircleTable table_;
   PoleCoordinates forward_;
-  std::array<std::vector<PoleCoordinates>, kEquatorSteps / kLeastSteps> rims_;  // by every degree, every other, ...
+  std::array<std::vector<PoleCoordinates>, kEquatorSteps / kMinSteps> rims_;  // by every degree, every other, ...
 };
 
 }  // namespace litfog

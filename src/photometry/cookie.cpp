@@ -22,7 +22,7 @@ std::optional<ValueError> check_size(int size) {
 
 }  // namespace
 
-std::optional<ValueError> check(const Cookie& cookie) {
+std::optional<ValueError> find_error(const Cookie& cookie) {
   if (const auto error = check_size(cookie.size)) return error;
   if (cookie.texels.size() != texel_count(cookie.size)) {
     return ValueError{"texels", double(cookie.texels.size()), "must be 6 * size * size"};

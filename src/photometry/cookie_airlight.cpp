@@ -46,9 +46,9 @@ struct CookieOnRay {
 template <typename Real, typename Evaluate>
 double evaluate(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
                 const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg, const Evaluate& evaluate_text) {
-  require(check(light));
-  require(check(atmosphere));
-  require(check(ray));
+  require(find_error(light));
+  require(find_error(atmosphere));
+  require(find_error(ray));
   const glm::dvec3 direction = glm::normalize(ray.direction);
   const glm::dvec3 to_light = light.position - ray.origin;
   const CookieOnRay on_ray{cookie, cookie_from_world * (glm::dot(to_light, direction) * direction - to_light),

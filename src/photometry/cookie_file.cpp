@@ -121,7 +121,7 @@ class CookieParser {
     Cookie cookie{.size = expect_size(), .texels = {}};
     cookie.texels.resize(6 * std::size_t(cookie.size) * std::size_t(cookie.size));
     for (int row = 0; row < 6 * cookie.size;) row = parse_chunk(row, cookie);
-    if (const auto error = check(cookie)) throw InputError({.file = name_}, *error);
+    if (const auto error = find_error(cookie)) throw InputError({.file = name_}, *error);
     return cookie;
   }
 
@@ -206,7 +206,7 @@ class CookieParser {
 }  // namespace
 
 std::string format_cookie(const Cookie& cookie) {
-  require(check(cookie));
+  require(find_error(cookie));
   std::string bytes;
   exr_context_initializer_t initializer = quiet_initializer();
   initializer.user_data = &bytes;

@@ -53,7 +53,7 @@ std::vector<double> turns_of(const IsocandelaEllipse& ellipse) {
 
 }  // namespace
 
-std::optional<ValueError> check(const std::vector<IsocandelaEllipse>& ellipses) {
+std::optional<ValueError> find_error(const std::vector<IsocandelaEllipse>& ellipses) {
   if (ellipses.empty()) return ValueError{"ellipses", 0, "must be at least one"};
   if (ellipses.front().intensity == 0) return ValueError{"intensity", 0, "must be > 0 in the first ellipse"};
   IsocandelaEllipse inner{kMaxIntensity, 0, 0};
@@ -74,7 +74,7 @@ std::optional<ValueError> check(const std::vector<IsocandelaEllipse>& ellipses) 
 }
 
 IntensityDistribution elliptical_beam(const std::vector<IsocandelaEllipse>& ellipses) {
-  require(check(ellipses));
+  require(find_error(ellipses));
   const IsocandelaEllipse& outermost = ellipses.back();
   IntensityDistribution beam{
       .type = PhotometryType::c, .horizontal = turns_of(outermost), .vertical = {}, .intensity = {}};

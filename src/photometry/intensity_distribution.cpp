@@ -143,7 +143,7 @@ glm::dmat3 luminaire_from_light(const glm::dvec3& axis) {
   return {right, glm::cross(right, forward), -forward};
 }
 
-std::optional<ValueError> check(const IntensityDistribution& distribution) {
+std::optional<ValueError> find_error(const IntensityDistribution& distribution) {
   const auto& [type, horizontal, vertical, intensity] = distribution;
   const bool is_c = type == PhotometryType::c;
   const double vertical_limit = type == PhotometryType::a ? pi / 2 : pi;
@@ -189,7 +189,7 @@ double intensity_at(const IntensityDistribution& distribution, const glm::dvec3&
 }
 
 double luminous_flux(const IntensityDistribution& distribution) {
-  require(check(distribution));
+  require(find_error(distribution));
   const auto& [type, horizontal, vertical, intensity] = distribution;
   std::vector<double> horizontal_weights, vertical_weights;
   if (type == PhotometryType::c) {
@@ -212,7 +212,7 @@ double luminous_flux(const IntensityDistribution& distribution) {
 }
 
 IntensityPeak find_peak(const IntensityDistribution& distribution) {
-  require(check(distribution));
+  require(find_error(distribution));
   const auto& [type, horizontal, vertical, intensity] = distribution;
   // A flat beam has its peak at thousands of angles. The cosine of each from the axis is a product of two of these.
   std::vector<double> horizontal_cosines(horizontal.size(), 1), vertical_cosines;

@@ -179,7 +179,7 @@ void parse_ellipses(Rows& rows, Luminaire& luminaire) {
     ellipses.push_back({.intensity = candela_of(scanner, cells[0]),
                         .horizontal = half_axis(scanner, cells[1], kHorizontal),
                         .vertical = half_axis(scanner, cells[2], kVertical)});
-    const auto error = check(ellipses);
+    const auto error = find_error(ellipses);
     if (!error) continue;
     const std::string_view field = error->field;
     if (field == "horizontal") scanner.fail(cells[1], kHorizontal, "must be greater than in the row before");

@@ -45,10 +45,10 @@ constexpr PlainFormat kPlainFormats[] = {
 const std::string& single_file_of(const GldfContainer& container, const std::string& path) {
   const std::vector<std::string>& files = container.files();
   if (files.size() == 1) return files.front();
-  constexpr std::size_t kMostNamed = 8;
+  constexpr std::size_t kMaxNamed = 8;
   std::string rule = "must be named where there are several:";
-  for (std::size_t i = 0; i < std::min(files.size(), kMostNamed); ++i) rule += " " + files[i];
-  if (files.size() > kMostNamed) rule += " and " + std::to_string(files.size() - kMostNamed) + " more";
+  for (std::size_t i = 0; i < std::min(files.size(), kMaxNamed); ++i) rule += " " + files[i];
+  if (files.size() > kMaxNamed) rule += " and " + std::to_string(files.size() - kMaxNamed) + " more";
   throw InputError({.file = path}, "photometric file", "", rule);
 }
 

@@ -73,16 +73,15 @@ void IntensityReader::add(const TextScanner::Piece& piece) {
 }
 
 std::vector<double> IntensityReader::finish() {
-  if (least_candela_ < -kMostNegative * largest_candela_) scanner_.fail(least_, name(least_index_), "must be >= 0");
+  if (least_candela_ < -kMaxNegative * largest_candela_) scanner_.fail(least_, name(least_index_), "must be >= 0");
   if (largest_candela_ == 0) scanner_.fail(last_, name(intensities_.size() - 1), "must not be 0 as all others are");
   return std::move(intensities_);
 }
 
 std::optional<double> lamp_flux_of(double lamps, double lumens) {
-  constexpr double kMostLamps = 1e6;
+  constexpr double kMaxLamps = 1e6;
   const double flux = lamps * lumens;
-  const bool can_be =
-      lamps >= 1 && lamps <= kMostLamps && lamps == std::floor(lamps) && flux > 0 && std::isfinite(flux);
+  const bool can_be = lamps >= 1 && lamps <= kMaxLamps && lamps == std::floor(lamps) && flux > 0 && std::isfinite(flux);
   return can_be ? std::optional(flux) : std::nullopt;
 }
 

@@ -10,10 +10,10 @@
 namespace litfog {
 
 /// How far an intensity may lie below zero, as a fraction of the largest: the noise of a dark direction.
-inline constexpr double kMostNegative = 1e-3;
+inline constexpr double kMaxNegative = 1e-3;
 
 /// Intensities as a file holds them, one piece each, times a factor: candela. Those below zero by no more than
-/// kMostNegative of the largest are 0.
+/// kMaxNegative of the largest are 0.
 class IntensityReader {
  public:
   /// count  for errors: "intensity 12 of 361"

@@ -65,7 +65,7 @@ void bind_files(py::module_& m) {
   m.def(
       "format_light",
       [](const Light& light, const Source& source) {
-        require(check(light));
+        require(find_error(light));
         return format_light(light, lines_of(source));
       },
       py::arg("light"), py::arg("source") = std::vector<std::string>(), "A light as the text of its file.");

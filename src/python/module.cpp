@@ -402,10 +402,10 @@ auto over_numbers(const char* name, const Function& function) {
   };
 }
 
-/// A struct with which check() finds nothing wrong.
+/// A struct with which find_error() finds nothing wrong.
 template <typename T>
 const T& require_checked(const T& value) {
-  require(check(value));
+  require(find_error(value));
   return value;
 }
 

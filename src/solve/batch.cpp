@@ -122,8 +122,8 @@ HWY_INLINE Split<V> split_denominator(D d, const Lanes<V>& in, V range) {
   return {sum.high, hn::Add(sum.low, hn::MulAdd(range, hn::Add(slope.low, curve.low), rise.low))};
 }
 
-/// e^(+-u), 0 <= u <= kMostExponent, as 2^(+-n) e^(+-rest) with |rest| <= ln 2 / 2.
-constexpr double kMostExponent = 64;  ///< no peak lies beyond, and 1 - e^-64 is 1
+/// e^(+-u), 0 <= u <= kMaxExponent, as 2^(+-n) e^(+-rest) with |rest| <= ln 2 / 2.
+constexpr double kMaxExponent = 64;  ///< no peak lies beyond, and 1 - e^-64 is 1
 
 template <class V>
 struct ReducedExponent {
@@ -163,7 +163,7 @@ HWY_INLINE V exponential_remainder(D d, V f) {
   return sum;
 }
 
-/// p(u) = e^u - 1 - u to 2e-6 of itself, for 0 <= u <= kMostExponent.
+/// p(u) = e^u - 1 - u to 2e-6 of itself, for 0 <= u <= kMaxExponent.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF expm1_minus_argument(DF df, VF u) {
   const auto [scale, rest] = reduce_exponent<Sign::plus>(df, u);
@@ -182,7 +182,7 @@ struct FogLoss {
 
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE FogLoss<V> fog_loss_at(D d, const Split<V>& depth) {
-  const auto [scale, rest] = reduce_exponent<Sign::minus>(d, hn::Min(depth.high, hn::Set(d, kMostExponent)));
+  const auto [scale, rest] = reduce_exponent<Sign::minus>(d, hn::Min(depth.high, hn::Set(d, kMaxExponent)));
   const V f = hn::Add(rest.high, rest.low);
   const V low = hn::Add(rest.low, hn::NegMulAdd(depth.low, f, depth.low));
   // (1 - scale) + scale (f - f^2 q(-f)); the first is 0 or at least 1/2, a multiple of a power of two.
@@ -300,7 +300,7 @@ HWY_INLINE Slope<VF> slope_exp(DF df, VF constant, VF a, VF b, VF x) {
   const VF two_b = hn::Add(b, b);
   const VF growth = hn::MulAdd(two_b, x, a);  // D'(x)
   const VF next = hn::Add(growth, two_b);
-  const VF p = expm1_minus_argument(df, hn::Min(x, hn::Set(df, float(kMostExponent))));
+  const VF p = expm1_minus_argument(df, hn::Min(x, hn::Set(df, float(kMaxExponent))));
   const VF e1 = hn::Add(x, p);
   const VF e = hn::Add(e1, hn::Set(df, 1.0f));
   return {hn::MulAdd(growth, p, hn::MulSub(hn::Mul(b, x), x, constant)), hn::Mul(e1, next),
@@ -313,7 +313,7 @@ HWY_INLINE Slope<VF> slope_exp2(DF df, VF constant, VF a, VF b, VF x) {
   const VF bend = hn::Mul(hn::Add(b, b), x);
   const VF growth = hn::Add(a, bend);  // D'(x)
   const VF w = hn::Mul(x, x);
-  const VF p = expm1_minus_argument(df, hn::Min(w, hn::Set(df, float(kMostExponent))));
+  const VF p = expm1_minus_argument(df, hn::Min(w, hn::Set(df, float(kMaxExponent))));
   const VF e1 = hn::Add(w, p);
   const VF two_w = hn::Add(w, w);
   const VF steep = hn::Mul(two_w, growth);
@@ -440,7 +440,7 @@ HWY_INLINE Solved<V> solve_peak(D d, const Lanes<V>& in, const Peak<V>& peak) {
   Split<V> depth = two_product(d, in.density, range);
   depth.low = hn::MulAdd(in.density, correction, depth.low);
   if constexpr (kMode == FogMode::exp2) {
-    const V root = hn::Min(depth.high, hn::Set(d, kMostExponent));
+    const V root = hn::Min(depth.high, hn::Set(d, kMaxExponent));
     const Split<V> square = two_product(d, root, root);
     depth = {square.high, hn::MulAdd(hn::Add(root, root), depth.low, square.low)};
   }
@@ -548,7 +548,7 @@ bool solve_one(FogMode mode, const BasicBatchLights<T>& lights, const BasicBatch
   const Attenuation attenuation{lights.constant[at], lights.linear[at], lights.quadratic[at]};
   const Fog fog{mode, value_at(lights.density, at)};
   const double threshold = value_at(lights.threshold, at);
-  const bool is_invalid = check(attenuation) || check(fog) || check_threshold(threshold);
+  const bool is_invalid = find_error(attenuation) || find_error(fog) || find_threshold_error(threshold);
   const FogIntensity solved =
       is_invalid ? FogIntensity{0, 0, 0, SolveStatus::ok} : unchecked::solve_fog_intensity(attenuation, fog, threshold);
   store(solutions.intensity, at, T(solved.intensity));

@@ -33,8 +33,8 @@ long double find_exp_reach(const BasicAttenuation<long double>& attenuation, lon
 
 IntensityBound::IntensityBound(const Attenuation& attenuation, double threshold)
     : highest_attenuation_(0), exp_reach_(0), exp2_reach_(0) {
-  require(check(attenuation));
-  require(check_threshold(threshold));
+  require(find_error(attenuation));
+  require(find_threshold_error(threshold));
   const auto wide = convert<long double>(attenuation);  // E^2 and C/Q can leave double's range
   const long double extent = level_range(wide, static_cast<long double>(threshold)).high;
   if (extent == 0) return;

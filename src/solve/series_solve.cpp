@@ -57,7 +57,7 @@ struct FogLoss {
 };
 
 /// No peak is sought beyond: 1 - e^-64 is 1.
-constexpr double kMostDepth = 64;
+constexpr double kMaxDepth = 64;
 
 HWY_INLINE FogLoss loss_over(const Split<double>& depth) {
   // u = n ln 2 + g with |g| <= ln 2 / 2, to the nearest n in every rounding mode
@@ -65,8 +65,8 @@ HWY_INLINE FogLoss loss_over(const Split<double>& depth) {
   constexpr double kLn2High = 0x1.62e42feep-1, kLn2Low = 0x1.a39ef35793c76p-33;  // n times the high part is exact
   constexpr double kInteger = 0x1.8p+52;  // added to n: n stands in the lowest bits
   const hn::CappedTag<double, 1> d;
-  const double u = std::min(kMostDepth, depth.high);
-  const double rounding = u < kMostDepth ? depth.low : 0;
+  const double u = std::min(kMaxDepth, depth.high);
+  const double rounding = u < kMaxDepth ? depth.low : 0;
   const double n = hn::GetLane(hn::Round(hn::Set(d, u * 1.4426950408889634)));
   const double scale = std::bit_cast<double>(std::bit_cast<std::uint64_t>(1.0) -
                                              (std::bit_cast<std::uint64_t>(n + kInteger) << 52));  // 2^-n
@@ -156,7 +156,7 @@ HWY_INLINE std::optional<FogIntensity> solve(const Attenuation& asked, double de
   const double x = density * range;
   const double u = kIsExp ? x : x * x;
   const double wanted = kIsExp ? exp_step(c, a, b, u, loss) : exp2_step(c, a, b, x, u, loss);
-  if (!(std::abs(wanted) <= 0.03 * u && u < kMostDepth)) return std::nullopt;
+  if (!(std::abs(wanted) <= 0.03 * u && u < kMaxDepth)) return std::nullopt;
   double stretch = metres * (kIsExp ? wanted : wanted / (x * (1 + std::sqrt(1 + wanted / u))));
   double peak = range + stretch;
   level = peak >= extent.high ? threshold : is_below_knee(peak) ? 1 : 0;

@@ -168,15 +168,15 @@ FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog,
   if (is_series_case(attenuation, fog, threshold)) {  // what passes is valid
     if (const auto solved = solve_by_series(attenuation, fog, threshold)) return *solved;
   }
-  require(check(attenuation));
-  require(check(fog));
-  require(check_threshold(threshold));
+  require(find_error(attenuation));
+  require(find_error(fog));
+  require(find_threshold_error(threshold));
   return unchecked::solve_fog_intensity(attenuation, fog, threshold);
 }
 
 FogIntensity solve_fog_intensity(const Light& light, const Fog& fog) {
-  require(check(light));
-  require(check(fog));
+  require(find_error(light));
+  require(find_error(fog));
   return unchecked::solve_fog_intensity(light.attenuation, unchecked::scaled(fog, light.density_scale),
                                         light.threshold);
 }
@@ -188,9 +188,9 @@ FogIntensityF solve_fog_intensity(const AttenuationF& attenuation, const FogF& f
 }
 
 FogIntensity sample_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold, int samples) {
-  require(check(attenuation));
-  require(check(fog));
-  require(check_threshold(threshold));
+  require(find_error(attenuation));
+  require(find_error(fog));
+  require(find_threshold_error(threshold));
   if (!(samples >= 1)) require(ValueError{"samples", double(samples), "must be >= 1"});
   if (is_limit_case(attenuation, fog)) return solve_limit_case(attenuation, fog, threshold);
   const double extent = unchecked::compute_extent(attenuation, threshold);

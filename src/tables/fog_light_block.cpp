@@ -15,8 +15,8 @@ namespace {
 /// A value as a float, without the two that a shader may stumble over: infinity, of which the product with 0 is NaN, as
 /// the largest float; -0 as 0.
 float finite_float(double x) {
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  return float(std::clamp(x, -kLargest, kLargest)) + 0.0f;
+  constexpr double kMax = std::numeric_limits<float>::max();
+  return float(std::clamp(x, -kMax, kMax)) + 0.0f;
 }
 glm::vec3 finite_floats(const glm::dvec3& v) { return {finite_float(v.x), finite_float(v.y), finite_float(v.z)}; }
 
@@ -39,18 +39,18 @@ FogLightInstance unchecked::pack_fog_light_instance(const PlacedLight& placed, s
 }
 
 FogLightKind pack_fog_light_kind(const PlacedLight& light, const FogIntensity& solution) {
-  require(check(light));
+  require(find_error(light));
   return unchecked::pack_fog_light_kind(light, solution);
 }
 
 FogLightInstance pack_fog_light_instance(const PlacedLight& light, std::size_t kind) {
-  require(check(light));
+  require(find_error(light));
   if (kind > 1u << 24) fail_count("kind", kind, "must be at most 16777216");
   return unchecked::pack_fog_light_instance(light, kind);
 }
 
 FogHeader pack_fog_header(const Atmosphere& atmosphere, std::size_t instances) {
-  require(check(atmosphere));
+  require(find_error(atmosphere));
   require_fog_light_count("instances", instances);
   const Fog& fog = atmosphere.fog;
   return {.fog = {finite_float(fog.density), fog.mode == FogMode::exp2 ? 1.0f : 0.0f, float(instances), 0.0f},

@@ -177,7 +177,7 @@ FogUpdater::Store::Store(double skip_budget_255) : skip_budget_(skip_budget_255 
 }
 
 FogLightHandle FogUpdater::Store::add(const PlacedLight& light) {
-  require(check(light));
+  require(find_error(light));
   const std::uint32_t kind = find_or_add_kind(light);
   const std::uint32_t slot = add_slot();
   Record& record = records_[slot];
@@ -191,7 +191,7 @@ FogLightHandle FogUpdater::Store::add(const PlacedLight& light) {
 
 void FogUpdater::Store::change(FogLightHandle handle, const PlacedLight& light) {
   const std::uint32_t slot = slot_of(handle);
-  require(check(light));
+  require(find_error(light));
   const std::uint32_t kind = find_or_add_kind(light);
   if (kind != records_[slot].kind) {
     leave(slot);
@@ -220,7 +220,7 @@ void FogUpdater::Store::remove(FogLightHandle handle) {
 }
 
 FogLightChanges FogUpdater::Store::set_fog(const Fog& fog) {
-  require(check(fog));
+  require(find_error(fog));
   const bool is_new_fog = fog != fog_;
   fog_ = fog;
   statistics_ = {.kinds_solved = 0,

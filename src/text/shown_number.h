@@ -13,8 +13,8 @@ namespace litfog {
 /// A number for a sentence, rounded to so many digits, or to an integer where that has more. No exponent from 1e-4 to
 /// 1e15. In any locale.
 inline std::string shown_rounded(double number, int digits) {
-  constexpr double kLeastFixed = 1e-4, kLargestFixed = 1e15;
-  constexpr int kMostDigits = 9;
+  constexpr double kMinFixed = 1e-4, kMaxFixed = 1e15;
+  constexpr int kMaxDigits = 9;
   if (number == 0) return "0";
   std::array<char, 32> text;
   const auto view = [&text](const char* end) { return std::string_view(text.data(), std::size_t(end - text.data())); };
@@ -22,11 +22,11 @@ inline std::string shown_rounded(double number, int digits) {
   if (std::isfinite(number)) {
     const int whole = int(std::floor(std::log10(size))) + 1;
     const auto rounded = view(std::to_chars(text.begin(), text.end(), number, std::chars_format::scientific,
-                                            std::clamp(whole, digits, kMostDigits) - 1)
+                                            std::clamp(whole, digits, kMaxDigits) - 1)
                                   .ptr);
     std::from_chars(rounded.data(), rounded.data() + rounded.size(), number);
   }
-  const bool is_fixed = size >= kLeastFixed && size < kLargestFixed;
+  const bool is_fixed = size >= kMinFixed && size < kMaxFixed;
   const auto end = is_fixed ? std::to_chars(text.begin(), text.end(), number, std::chars_format::fixed)
                             : std::to_chars(text.begin(), text.end(), number);
   return std::string(view(end.ptr));
@@ -40,13 +40,13 @@ inline std::string shown_change(double number, int digits) {
 /// A number for a sentence. One of at most 9 digits, as a person writes it, is shown as written; one that was computed
 /// has more, and is rounded to six, or to an integer where that has more.
 inline std::string shown_number(double number) {
-  constexpr int kMostWritten = 9, kComputed = 6;
+  constexpr int kMaxWritten = 9, kComputed = 6;
   std::array<char, 32> text;
   const auto end = std::to_chars(text.begin(), text.end(), number, std::chars_format::scientific).ptr;
   const std::string_view written(text.data(), std::size_t(end - text.data()));
   const auto digits =
       std::ranges::count_if(written.substr(0, written.find('e')), [](char c) { return c >= '0' && c <= '9'; });
-  return shown_rounded(number, digits > kMostWritten ? kComputed : kMostWritten);
+  return shown_rounded(number, digits > kMaxWritten ? kComputed : kMaxWritten);
 }
 
 }  // namespace litfog

@@ -165,7 +165,7 @@ class BrowserPage : public GlTest {
     return pixels;
   }
 
-  /// The largest point has render::kPointRadius * kLargestGlare * kPointRadii / 2 pixels of a picture 720 high.
+  /// The largest point has render::kPointRadius * kMaxGlare * kPointRadii / 2 pixels of a picture 720 high.
   static bool is_at_point(const scene::Scene& street, const glm::dvec2& pixel) {
     const scene::Camera& camera = street.camera;
     const glm::dmat4 clip_from_world =

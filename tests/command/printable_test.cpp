@@ -17,7 +17,10 @@ TEST(Printable, PlainTextStaysUnchanged) {
 TEST(Printable, ControlCharactersAreEscaped) {
   EXPECT_EQ(printable("a\x1B[31mred\x07"), "a\\x1b[31mred\\x07");
   EXPECT_EQ(printable(std::string("a\0b\n\x7F", 5)), "a\\x00b\\x0a\\x7f");
-  EXPECT_EQ(printable("\xC2\x9B" "31m"), "\\u009b31m") << "a terminal may take U+009B as ESC [";
+  EXPECT_EQ(printable("\xC2\x9B"
+                      "31m"),
+            "\\u009b31m")
+      << "a terminal may take U+009B as ESC [";
 }
 
 TEST(Printable, BytesThatAreNoUtf8AreEscaped) {

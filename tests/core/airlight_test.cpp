@@ -829,7 +829,7 @@ TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
       const glm::dvec3 offset = random.log_uniform(1e3, 1.6e7) * draw_direction(random);
       c.ray.origin += offset;
       c.light.position += offset;
-      if (check(c.light) || check(c.ray)) continue;
+      if (find_error(c.light) || find_error(c.ray)) continue;
     }
     const double half_angle = random.chance(0.1) ? std::numbers::pi : random.log_uniform(1e-6, 3);
     const double tilt =

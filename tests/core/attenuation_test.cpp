@@ -189,7 +189,7 @@ TEST(AttenuationAt, AttenuationIsExactToItsRoundings) {
         random.log_uniform(1e-3, 1e5));
     const auto draw = [&] { return random.chance(0.1) ? 0 : random.log_uniform(1e-100, 1e100); };
     const Attenuation a{draw(), draw(), draw()};
-    if (!check(a)) add(wide, a, draw());
+    if (!find_error(a)) add(wide, a, draw());
   }
   ordinary.check();
   wide.check();
@@ -209,7 +209,7 @@ TEST(AttenuationAt, AttenuationIsNeverNanAndNeverLeavesItsRange) {
     for (const double linear : values) {
       for (const double quadratic : values) {
         const Attenuation a{constant, linear, quadratic};
-        if (check(a)) continue;
+        if (find_error(a)) continue;
         double last = 1;
         for (const double range : {0.0, kDenormMin, 1e-300, 1e-5, 1.0, 1e5, 1e300, kMax, kInfinity}) {
           const double value = attenuation_at(a, range);
@@ -222,7 +222,7 @@ TEST(AttenuationAt, AttenuationIsNeverNanAndNeverLeavesItsRange) {
 }
 
 TEST(AttenuationCheck, ErrorNamesFieldValueAndRule) {
-  const auto error = [](const Attenuation& a) { return check(a) ? to_string(*check(a)) : "accepted"; };
+  const auto error = [](const Attenuation& a) { return find_error(a) ? to_string(*find_error(a)) : "accepted"; };
   EXPECT_EQ(error({-1, 0, 0}), "attenuation.constant = -1: must be finite and >= 0");
   EXPECT_EQ(error({kInfinity, 0, 0}), "attenuation.constant = inf: must be finite and >= 0");
   EXPECT_EQ(error({kNan, 0, 0}), "attenuation.constant = nan: must be finite and >= 0");
@@ -238,7 +238,9 @@ TEST(AttenuationCheck, ErrorNamesFieldValueAndRule) {
 }
 
 TEST(AttenuationCheck, ThresholdOutsideTheOpenUnitIntervalIsAnError) {
-  const auto error = [](double t) { return check_threshold(t) ? to_string(*check_threshold(t)) : "accepted"; };
+  const auto error = [](double t) {
+    return find_threshold_error(t) ? to_string(*find_threshold_error(t)) : "accepted";
+  };
   EXPECT_EQ(error(0), "threshold = 0: must be in (0, 1)");
   EXPECT_EQ(error(1), "threshold = 1: must be in (0, 1)");
   EXPECT_EQ(error(-0.05), "threshold = -0.05: must be in (0, 1)");

@@ -122,7 +122,7 @@ class Batch : public testing::Test {
   void on_every_target(const Check& check) {
     for_each_simd_target([&](const char* target) {
       std::printf("%s\n", target);
-      check();
+      find_error();
     });
   }
 };
@@ -259,9 +259,10 @@ void expect_special_values_as_scalar() {
     columns.solve(mode);
     std::size_t invalid = 0;
     for (std::size_t i = 0; i < columns.size(); ++i) {
-      const bool is_bad =
-          check(Attenuation{double(columns.constant[i]), double(columns.linear[i]), double(columns.quadratic[i])}) ||
-          check(Fog{mode, double(columns.density[i])}) || check_threshold(double(columns.threshold[i]));
+      const bool is_bad = find_error(Attenuation{double(columns.constant[i]), double(columns.linear[i]),
+                                                 double(columns.quadratic[i])}) ||
+                          find_error(Fog{mode, double(columns.density[i])}) ||
+                          find_threshold_error(double(columns.threshold[i]));
       ASSERT_EQ(columns.status[i], is_bad ? BatchStatus::invalid : BatchStatus::ok) << columns.describe(i);
       invalid += is_bad;
       const FogIntensity truth = is_bad ? FogIntensity{0, 0, 0, SolveStatus::ok} : columns.scalar(mode, i);

@@ -40,8 +40,8 @@ TEST(ColorTemperature, ColorsAreContinuousAndGrowBluer) {
     const glm::dvec3 color = color_of_temperature(kelvin);
     return color.b - color.r;
   };
-  for (double kelvin = kLeastColorTemperature; kelvin < kMostColorTemperature; kelvin *= 1.001) {
-    const double next = std::min(kelvin * 1.001, kMostColorTemperature);
+  for (double kelvin = kMinColorTemperature; kelvin < kMaxColorTemperature; kelvin *= 1.001) {
+    const double next = std::min(kelvin * 1.001, kMaxColorTemperature);
     EXPECT_GE(blueness(next), blueness(kelvin)) << kelvin;
     EXPECT_LT(blueness(next) - blueness(kelvin), 0.003) << kelvin;
   }

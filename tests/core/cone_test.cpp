@@ -71,7 +71,7 @@ TEST(Cone, ConeNeverRisesWithTheAngleAndNeverLeavesItsRange) {
     const double outer = random.uniform(1e-3, pi);
     const Cone cone = random.chance(0.5) ? Cone::cosine(random.uniform(1e-3, pi / 2), random.log_uniform(1e-3, 1e3))
                                          : Cone::smoothstep(random.uniform(0, outer * 0.999), outer);
-    ASSERT_FALSE(check(cone));
+    ASSERT_FALSE(find_error(cone));
     double last = 1;
     for (int step = 0; step <= 200; ++step) {
       const double fraction = cone_at(cone, 1 - step / 100.);
@@ -85,7 +85,7 @@ TEST(ConeProfiles, EveryProfileIsWhatItsFactsSay) {
   for (const ConeProfileFacts& facts : kConeProfiles) {
     const Cone cone = facts.first;
     SCOPED_TRACE(facts.name);
-    EXPECT_FALSE(check(cone));
+    EXPECT_FALSE(find_error(cone));
     EXPECT_EQ(cone.is_point_light(), facts.parameters.empty());
     EXPECT_EQ(cutoff_angle(cone), facts.cutoff ? cone.*facts.cutoff->member : pi);
     EXPECT_EQ(cone_at(cone, 1), 1);
@@ -107,17 +107,17 @@ TEST(ConeProfiles, EveryProfileIsWhatItsFactsSay) {
     for (const ConeParameter& parameter : facts.parameters) {
       Cone wrong = cone;
       wrong.*parameter.member = kNan;
-      ASSERT_TRUE(check(wrong)) << parameter.field;
-      EXPECT_EQ(check(wrong)->rule, parameter.rule);
+      ASSERT_TRUE(find_error(wrong)) << parameter.field;
+      EXPECT_EQ(find_error(wrong)->rule, parameter.rule);
       wrong.*parameter.member = parameter.most + 1e-3;
-      EXPECT_TRUE(check(wrong)) << parameter.field;
+      EXPECT_TRUE(find_error(wrong)) << parameter.field;
     }
   }
   EXPECT_EQ(formulas::litfog_cone_at(double(kConeProfiles.size()), 1.0, 0.0, 0.0), 0) << "dark: no profile's number";
 }
 
 TEST(Cone, AngleOrExponentOutOfRangeIsAnError) {
-  const auto error = [](const Cone& cone) { return check(cone) ? to_string(*check(cone)) : "accepted"; };
+  const auto error = [](const Cone& cone) { return find_error(cone) ? to_string(*find_error(cone)) : "accepted"; };
   EXPECT_EQ(error(Cone::cosine(0, 1)), "cone.half_angle = 0: must be in (0, pi/2]");
   EXPECT_EQ(error(Cone::cosine(2, 1)), "cone.half_angle = 2: must be in (0, pi/2]");
   EXPECT_EQ(error(Cone::cosine(kNan, 1)), "cone.half_angle = nan: must be in (0, pi/2]");
@@ -133,10 +133,10 @@ TEST(Cone, AngleOrExponentOutOfRangeIsAnError) {
 }
 
 TEST(Cone, EndsOfTheRangesAreAccepted) {
-  EXPECT_FALSE(check(Cone{}));
-  EXPECT_FALSE(check(Cone::cosine(pi / 2, 0)));
-  EXPECT_FALSE(check(Cone::cosine(1e-300, std::numeric_limits<double>::max())));
-  EXPECT_FALSE(check(Cone::smoothstep(0, pi)));
+  EXPECT_FALSE(find_error(Cone{}));
+  EXPECT_FALSE(find_error(Cone::cosine(pi / 2, 0)));
+  EXPECT_FALSE(find_error(Cone::cosine(1e-300, std::numeric_limits<double>::max())));
+  EXPECT_FALSE(find_error(Cone::smoothstep(0, pi)));
 }
 
 TEST(Cone, AngleThatFloatsRoundBeyondALimitIsTheLimit) {
@@ -148,7 +148,7 @@ TEST(Cone, AngleThatFloatsRoundBeyondALimitIsTheLimit) {
                                          {Cone::cosine(half, 0), Cone::cosine(pi / 2, 0)},
                                          {Cone::smoothstep(0.5, whole), Cone::smoothstep(0.5, pi)}};
   for (const auto& [given, meant] : pairs) {
-    ASSERT_FALSE(check(given));
+    ASSERT_FALSE(find_error(given));
     EXPECT_EQ(cutoff_angle(given), cutoff_angle(meant));
     for (const double cosine : {-1.0, -1e-8, 0.0, 1e-8, 0.5, 1.0})
       EXPECT_EQ(cone_at(given, cosine), cone_at(meant, cosine));
@@ -156,16 +156,16 @@ TEST(Cone, AngleThatFloatsRoundBeyondALimitIsTheLimit) {
     for (const double angle : {1.0, pi}) EXPECT_EQ(flux_within(given, angle), flux_within(meant, angle));
   }
   for (const Cone& beyond : {Cone::cosine(pi / 2 * (1 + 3e-7), 4), Cone::smoothstep(0.5, pi * (1 + 3e-7))}) {
-    EXPECT_TRUE(check(beyond));
+    EXPECT_TRUE(find_error(beyond));
   }
-  EXPECT_TRUE(check(Cone::smoothstep(pi, whole))) << "the inner angle's limit is open";
+  EXPECT_TRUE(find_error(Cone::smoothstep(pi, whole))) << "the inner angle's limit is open";
 }
 
 TEST(Cone, ConeIsNeverNanAtAnyAcceptedWidth) {
   for (const Cone& cone : {Cone::smoothstep(0, 1e-9), Cone::smoothstep(0, 1e-300), Cone::smoothstep(1, 1 + 1e-15),
                            Cone::smoothstep(std::nextafter(pi, 0), pi), Cone::cosine(1e-300, 1e300),
                            Cone::cosine(pi / 2, std::numeric_limits<double>::max())}) {
-    ASSERT_FALSE(check(cone));
+    ASSERT_FALSE(find_error(cone));
     for (const double cos_angle : {-1.0, -std::cos(1e-9), 0.0, std::cos(1.0), std::cos(1e-9), 1 - 0x1p-53, 1.0}) {
       const double fraction = cone_at(cone, cos_angle);
       EXPECT_TRUE(fraction >= 0 && fraction <= 1)

@@ -45,7 +45,7 @@ std::vector<SolveCase> random_cases(std::size_t count) {
     const SolveCase c{{random.chance(1 / 3.) ? 1 : coefficient(), coefficient(), coefficient()},
                       {random.pick(kModes), random.log_uniform(1e-5, 10)},
                       random.log_uniform(1e-4, 0.5)};
-    if (!check(c.attenuation)) cases.push_back(c);
+    if (!find_error(c.attenuation)) cases.push_back(c);
   }
   return cases;
 }

@@ -15,7 +15,7 @@
 namespace litfog::test {
 namespace {
 
-constexpr float kLargestFloat = std::numeric_limits<float>::max();
+constexpr float kMaxFloat = std::numeric_limits<float>::max();
 
 /// Every field another value.
 PlacedLight distinct_light() {
@@ -75,13 +75,13 @@ TEST(FogLightKind, InfiniteAndOverlargeValuesBecomeTheLargestFloat) {
   light.light.density_scale = 1e300;
   const FogLightKind packed = pack_fog_light_kind(
       light, {.intensity = 1, .peak_range = kInfinity, .extent = kInfinity, .status = SolveStatus::ok});
-  EXPECT_EQ(packed.attenuation_extent, glm::vec4(kLargestFloat));
-  EXPECT_EQ(packed.cone_scale_intensity.z, kLargestFloat);
+  EXPECT_EQ(packed.attenuation_extent, glm::vec4(kMaxFloat));
+  EXPECT_EQ(packed.cone_scale_intensity.z, kMaxFloat);
   EXPECT_EQ(pack_fog_light_kind(light, {.intensity = 1, .peak_range = 0, .extent = 1e39, .status = SolveStatus::ok})
                 .attenuation_extent.w,
-            kLargestFloat);
+            kMaxFloat);
   light.light.color = {1e300, 2, 1e39};
-  EXPECT_EQ(pack_fog_light_instance(light, 0).color, glm::vec4(kLargestFloat, 2, kLargestFloat, 0));
+  EXPECT_EQ(pack_fog_light_instance(light, 0).color, glm::vec4(kMaxFloat, 2, kMaxFloat, 0));
 }
 
 TEST(FogLightKind, WronglyPlacedLightIsAnError) {
@@ -157,8 +157,8 @@ TEST(FogLightBlock, HeaderOfMoreInstancesThanTheBlockHasIsAnError) {
 }
 
 TEST(FogLightBlock, TotalFogBecomesTheLargestFloat) {
-  EXPECT_EQ(pack_fog_light_block({{FogMode::exp, kInfinity}}, {}, {}).header.fog.x, kLargestFloat);
-  EXPECT_EQ(pack_fog_light_block({{FogMode::exp, 1e300}}, {}, {}).header.fog.x, kLargestFloat);
+  EXPECT_EQ(pack_fog_light_block({{FogMode::exp, kInfinity}}, {}, {}).header.fog.x, kMaxFloat);
+  EXPECT_EQ(pack_fog_light_block({{FogMode::exp, 1e300}}, {}, {}).header.fog.x, kMaxFloat);
   EXPECT_EQ(pack_fog_light_block({{FogMode::exp, 0}}, {}, {}).header.fog.x, 0);
 }
 

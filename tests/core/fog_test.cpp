@@ -124,7 +124,7 @@ TEST(FogFromVisibility, VisibilityOrContrastOutOfRangeIsAnError) {
 
 TEST(FogCheck, NegativeDensityIsAnError) {
   const auto error = [](double d) {
-    return check(Fog{FogMode::exp, d}) ? to_string(*check(Fog{FogMode::exp, d})) : "";
+    return find_error(Fog{FogMode::exp, d}) ? to_string(*find_error(Fog{FogMode::exp, d})) : "";
   };
   EXPECT_EQ(error(-0.5), "fog.density = -0.5: must be >= 0");
   EXPECT_EQ(error(-kInfinity), "fog.density = -inf: must be >= 0");

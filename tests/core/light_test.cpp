@@ -18,11 +18,11 @@ template <typename Checked = Light, typename Change>
 std::string error_after(const Change& change) {
   Checked light;
   change(light);
-  const auto error = check(light);
+  const auto error = find_error(light);
   return error ? to_string(*error) : "accepted";
 }
 
-TEST(Light, DefaultLightIsAccepted) { EXPECT_FALSE(check(Light{})); }
+TEST(Light, DefaultLightIsAccepted) { EXPECT_FALSE(find_error(Light{})); }
 
 TEST(Light, ColorThatIsNoLightIsAnError) {
   EXPECT_EQ(error_after([](Light& l) { l.color.r = -1; }), "color.r = -1: must be finite and >= 0");
@@ -57,7 +57,7 @@ std::string placed_error_after(const Change& change) {
   return error_after<PlacedLight>(change);
 }
 
-TEST(PlacedLight, DefaultPlacedLightIsAccepted) { EXPECT_FALSE(check(PlacedLight{})); }
+TEST(PlacedLight, DefaultPlacedLightIsAccepted) { EXPECT_FALSE(find_error(PlacedLight{})); }
 
 TEST(PlacedLight, PositionBeyondTheUseOfFloatIsAnError) {
   const std::string rule = ": must be at most 16777216 in magnitude";

@@ -77,12 +77,12 @@ TEST(Phase, AsymmetryInFloatsStaysBelowOne) {
 
 TEST(Phase, WrongAsymmetryIsAnError) {
   for (const double g : {-1.0, 1.0, kNan}) {
-    const auto error = check(Phase{g});
+    const auto error = find_error(Phase{g});
     ASSERT_TRUE(error) << g;
     EXPECT_STREQ(error->field, "asymmetry");
     EXPECT_STREQ(error->rule, "must be in (-1, 1)");
   }
-  EXPECT_FALSE(check(Phase{0.999}));
+  EXPECT_FALSE(find_error(Phase{0.999}));
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ constexpr double kPi = std::numbers::pi;
 
 TEST(View, AxesAreOrthonormalWhereTheViewIsSoWithinItsTolerance) {
   const View view{.forward = {0, 0, -1 - 0.9e-6}, .up = {0.9e-6, 1 - 0.9e-6, 0.9e-6}};
-  ASSERT_FALSE(check(view));
+  ASSERT_FALSE(find_error(view));
   const glm::dmat3 axes = axes_of(view);
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) EXPECT_NEAR(glm::dot(axes[i], axes[j]), i == j ? 1 : 0, 1e-15) << i << j;

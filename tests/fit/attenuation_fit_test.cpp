@@ -167,7 +167,7 @@ TEST(AttenuationFit, NoSearchFromManyStartsFindsABetterFit) {
     target.is_robust = random.chance(0.2);
     const AttenuationFit fit = fit_attenuation(target);
     EXPECT_NE(fit.status, AttenuationFitStatus::unproven) << describe(target);
-    EXPECT_FALSE(check(fit.attenuation)) << describe(target);
+    EXPECT_FALSE(find_error(fit.attenuation)) << describe(target);
     const FalloffReferenceSearch search(target, fit.loss_scale);
     const double best = search.objective(search.explore(random, 8));
     double weights = 0;
@@ -225,9 +225,9 @@ TEST(AttenuationFit, EveryTargetThatIsAcceptedIsFitted) {
     }
     if (random.chance(0.5)) target.extent = draw_range();
     if (random.chance(0.4)) target.constant = random.pick(std::array{0.0, 1.0, std::pow(10, random.uniform(-99, 99))});
-    if (check(target)) continue;
+    if (find_error(target)) continue;
     const AttenuationFit fit = fit_attenuation(target);
-    EXPECT_FALSE(check(fit.attenuation)) << describe(target);
+    EXPECT_FALSE(find_error(fit.attenuation)) << describe(target);
     EXPECT_TRUE(std::isfinite(fit.objective) && fit.objective >= 0) << describe(target);
     EXPECT_NE(fit.sentence, "") << describe(target);
     if (!target.extent) continue;
@@ -431,7 +431,7 @@ TEST(AttenuationFit, ConstantOneIsPreferredAmongEqualOptima) {
 
 TEST(AttenuationFit, TableOfOnesIsMetByTheClamp) {
   const AttenuationFit fit = fit_attenuation({.constant = 0, .samples = {{1, 1}, {2, 1}}});
-  EXPECT_FALSE(check(fit.attenuation));
+  EXPECT_FALSE(find_error(fit.attenuation));
   EXPECT_EQ(fit.objective, 0);
 }
 
@@ -563,7 +563,7 @@ TEST(AttenuationTarget, ErrorNamesSampleFieldValueAndRule) {
             "samples = 1: must be two or more of weight > 0 where there is no extent");
   EXPECT_EQ(error({.extent = 1, .samples = {{1, 0.5, 0}}}),
             "samples = 0: must be one or more of weight > 0 where there are any");
-  const auto found = check(AttenuationTarget{.samples = {{1, 0.9}, {2, 0}}});
+  const auto found = find_error(AttenuationTarget{.samples = {{1, 0.9}, {2, 0}}});
   ASSERT_TRUE(found && found->sample);
   EXPECT_EQ(*found->sample, 1u);
 }

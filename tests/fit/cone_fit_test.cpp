@@ -100,7 +100,7 @@ double best_smoothstep_objective(const std::vector<ConeSample>& samples) {
       bool is_better = false;
       for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, -1}, {1, -1}, {-1, 1}}) {
         const Cone next = Cone::smoothstep(std::max(0.0, cone.inner + x * reach), std::min(pi, cone.outer + y * reach));
-        if (check(next)) continue;
+        if (find_error(next)) continue;
         const double value = objective_of(next, samples);
         if (value < objective) {
           objective = value;
@@ -151,7 +151,7 @@ TEST(ConeFit, BothProfilesHaveTheirGlobalOptimum) {
     const ConeFit fit = fit_cone(target_of(std::nullopt, samples));
     for (const ConeProfileFit& found : fit.profiles) {
       EXPECT_EQ(found.status, ConeFitStatus::optimal);
-      EXPECT_FALSE(check(found.cone));
+      EXPECT_FALSE(find_error(found.cone));
       EXPECT_NEAR(found.objective, objective_of(found.cone, samples), 1e-14 + 1e-12 * found.objective);
       EXPECT_LE(found.lower_bound, found.objective);
       kkt.add(found.kkt_residual, name);
@@ -394,7 +394,7 @@ TEST(ConeFit, TargetsAtTheEndsOfTheirRangesAreFitted) {
         target_of(std::nullopt, {{0, 0}, {0.1, 0}, {0.2, 1}, {0.3, 0}})}) {
     const ConeFit fit = fit_cone(target);
     for (const ConeProfileFit& profile : fit.profiles) {
-      EXPECT_FALSE(check(profile.cone)) << to_string(*check(profile.cone));
+      EXPECT_FALSE(find_error(profile.cone)) << to_string(*find_error(profile.cone));
       EXPECT_TRUE(std::isfinite(profile.objective));
       EXPECT_EQ(profile.status, ConeFitStatus::optimal)
           << to_string(profile.cone) << profile.objective << " " << profile.lower_bound << " " << profile.boxes;

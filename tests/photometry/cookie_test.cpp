@@ -121,7 +121,7 @@ TEST(Cookie, LookUpIsBilinearBetweenTheTexelsOfAFace) {
 TEST(Cookie, ResizedCookieIsTheSameBetweenItsTexels) {
   const auto wave = [](const glm::dvec3& d) { return 0.5 + 0.4 * std::sin(3 * glm::normalize(d).x); };
   const Cookie smaller = resize_cookie(make_cookie(256, wave), 128);
-  EXPECT_FALSE(check(smaller));
+  EXPECT_FALSE(find_error(smaller));
   EXPECT_EQ(smaller.size, 128);
   Random random(10);
   for (int i = 0; i < 1000; ++i) {
@@ -139,7 +139,7 @@ TEST(Cookie, SizeMustBeFrom1To4096) {
 
 TEST(Cookie, CheckNamesWhatIsWrong) {
   const auto error_of = [](const Cookie& cookie) {
-    const auto error = check(cookie);
+    const auto error = find_error(cookie);
     return error ? to_string(*error) : "none";
   };
   const std::vector<float> six(6, 0.5f);

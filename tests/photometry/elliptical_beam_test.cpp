@@ -57,7 +57,7 @@ TEST(EllipticalBeam, IntensityIsThatOfTheLines) {
     auto lines = kSideRow;
     for (IsocandelaEllipse& line : lines) line.vertical *= squeeze;
     const IntensityDistribution beam = elliptical_beam(lines);
-    EXPECT_FALSE(check(beam));
+    EXPECT_FALSE(find_error(beam));
     for (int i = 0; i < 360; ++i) {
       const double turn = i * kDegree;
       const auto edge = [&](double a, double b) {
@@ -108,7 +108,7 @@ TEST(EllipticalBeam, FluxIsTheIntegralOverTheLines) {
 
 TEST(EllipticalBeam, WrongLinesAreRefused) {
   const auto rule_of = [](const std::vector<IsocandelaEllipse>& lines) {
-    const auto error = check(lines);
+    const auto error = find_error(lines);
     return error ? to_string(*error) : "(accepted)";
   };
   EXPECT_EQ(rule_of({}), "ellipses = 0: must be at least one");

@@ -199,7 +199,7 @@ TEST_F(Gldf, BrokenArchiveIsAnError) {
     if (random.chance(0.3)) bytes.resize(4 + std::size_t(random.uniform(0, double(bytes.size() - 4))));
     std::ofstream(path(), std::ios::binary) << bytes;
     try {
-      EXPECT_FALSE(check(read_luminaire(path()).distribution));
+      EXPECT_FALSE(find_error(read_luminaire(path()).distribution));
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(": must "), std::string::npos) << error.what();
     }

@@ -28,7 +28,7 @@ double candela_at(const Luminaire& light, double horizontal_deg, double vertical
 TEST(Isocandela, GridIsReadAsPrinted) {
   const Luminaire light = our_luminaire("position_light_left.csv");
   EXPECT_EQ(light.name, "position light, left");
-  EXPECT_FALSE(check(light.distribution));
+  EXPECT_FALSE(find_error(light.distribution));
   EXPECT_NEAR(candela_at(light, 0, 0), 40, 1e-9);
   EXPECT_NEAR(candela_at(light, -10, 0), 40, 1e-9);
   EXPECT_NEAR(candela_at(light, -110, 0), 5, 1e-9);

@@ -45,7 +45,7 @@ template <typename Parse>
 void expect_read_or_fail(const std::string& text, const Parse& parse) {
   try {
     const Luminaire luminaire = parse(text);
-    EXPECT_FALSE(check(luminaire.distribution)) << text;
+    EXPECT_FALSE(find_error(luminaire.distribution)) << text;
     EXPECT_TRUE(std::isfinite(luminous_flux(luminaire.distribution))) << text;
   } catch (const InputError& error) {
     const auto& [file, line, column] = error.location();

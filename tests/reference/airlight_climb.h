@@ -91,7 +91,7 @@ struct ClimbResult {
 template <typename ErrorOf>
 ClimbResult climb_airlight(Random& random, const ClimbKind& kind, int steps, const ErrorOf& error_of) {
   constexpr int kFirstPoints = 12;
-  constexpr double kLargestStride = 0.3, kSmallestStride = 1e-3;
+  constexpr double kMaxStride = 0.3, kSmallestStride = 1e-3;
   ClimbResult best;
   ClimbPoint best_point{};
   const auto takes = [&](const ClimbPoint& point) {
@@ -122,7 +122,7 @@ ClimbResult climb_airlight(Random& random, const ClimbKind& kind, int steps, con
       x = std::abs(x + size * (random.uniform(-1, 1) + random.uniform(-1, 1)));
       x = std::clamp(std::min(x, 2 - x), 0.0, 1.0);
     }
-    stride = takes(point) ? std::min(1.5 * stride, kLargestStride) : std::max(0.99 * stride, kSmallestStride);
+    stride = takes(point) ? std::min(1.5 * stride, kMaxStride) : std::max(0.99 * stride, kSmallestStride);
   }
   return best;
 }

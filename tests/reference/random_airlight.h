@@ -64,7 +64,7 @@ inline AirlightCase draw_airlight_case(Random& random, FogMode mode, LampLeg lam
     attenuation.linear = random.chance(0.25) ? 0 : random.log_uniform(1e-4, 3);
     attenuation.quadratic = random.chance(0.25) ? 0 : random.log_uniform(1e-6, 3);
     light.threshold = random.chance(0.5) ? 0.05 : random.log_uniform(1e-6, 0.9);
-  } while (check(attenuation) || compute_extent(attenuation, light.threshold) == 0);
+  } while (find_error(attenuation) || compute_extent(attenuation, light.threshold) == 0);
   c.atmosphere.fog =
       Fog::from_visibility(mode, random.chance(0.05) ? random.log_uniform(0.05, 3) : random.log_uniform(3, 1e5));
 

@@ -34,14 +34,14 @@ ModelParameters parameters_of(const ModelInfo& info, Setting setting) {
   return parameters;
 }
 
-constexpr std::size_t kMostTriangles = 5'000'000;
+constexpr std::size_t kMaxTriangles = 5'000'000;
 
 /// Faults of its triangles, their number, and materials that the catalogue lacks.
 void expect_sound(const std::string& what, const Model& model) {
   SCOPED_TRACE(what);
   const auto known = material_names();
   for (const Part& each : model) EXPECT_NE(std::ranges::find(known, each.material), known.end()) << each.material;
-  EXPECT_LE(triangle_count(model), kMostTriangles);
+  EXPECT_LE(triangle_count(model), kMaxTriangles);
   const Faults faults = faults_of(model);
   EXPECT_EQ(faults.not_finite, 0);
   EXPECT_EQ(faults.normals_not_unit, 0);
@@ -103,7 +103,7 @@ TEST_P(EveryModel, NumberOfTrianglesIsBoundedByTheClosestSpacing) {
       if (parameter.name != name) continue;
       ModelParameters parameters = most;
       parameters[std::string(name)] = parameter.minimum;
-      EXPECT_LE(triangle_count(make_model(info.name, parameters)), kMostTriangles) << name;
+      EXPECT_LE(triangle_count(make_model(info.name, parameters)), kMaxTriangles) << name;
     }
   }
 }
@@ -124,7 +124,7 @@ TEST_P(EveryModel, BadParameterIsAnError) {
   EXPECT_THROW(make_model(info.name, {{"no_such_parameter", 1.0}}), std::invalid_argument);
   for (const ParameterInfo& parameter : info.parameters) {
     SCOPED_TRACE(parameter.name);
-    EXPECT_EQ(check(parameter, parameter.default_value), std::nullopt);
+    EXPECT_EQ(find_error(parameter, parameter.default_value), std::nullopt);
     for (const double bad : {parameter.minimum - 1.0, parameter.maximum + 1.0, std::numeric_limits<double>::quiet_NaN(),
                              std::numeric_limits<double>::infinity()}) {
       const ModelParameters parameters{{std::string(parameter.name), bad}};

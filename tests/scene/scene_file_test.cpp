@@ -77,7 +77,7 @@ TEST_F(SceneFile, EveryBundledSceneLoadsWithGeometryLightsAndThreeVisibilities) 
       EXPECT_GT(scene.atmosphere.top, double(scene.camera.position.y)) << name;
     }
     EXPECT_FALSE(scene.instances.empty()) << name;
-    for (const PlacedLight& light : scene.lights) EXPECT_FALSE(check(light)) << name << ": " << light.light.name;
+    for (const PlacedLight& light : scene.lights) EXPECT_FALSE(find_error(light)) << name << ": " << light.light.name;
   }
 }
 
@@ -126,7 +126,7 @@ TEST_F(SceneFile, TurningLightTurnsToTheLeftAboutTheVerticalWithTime) {
   }
   EXPECT_EQ(scene.lights[2].direction, glm::dvec3(0, 0, -1));
   turn_lights(scene, kMaxSeconds);
-  EXPECT_FALSE(check(scene.lights[0]));
+  EXPECT_FALSE(find_error(scene.lights[0]));
   EXPECT_NE(error_of(std::string("\"lights\": [{\"light\": {") + kLamp +
                      R"(}, "position": [0, 9, 0], "turn_deg_per_s": 3601}], "objects": [])")
                 .find("lights[0].turn_deg_per_s = 3601: must be in [-3600, 3600]"),
@@ -287,7 +287,7 @@ TEST_F(SceneFile, EveryLightIsOneThatTheLibraryTakes) {
                            light(R"("position": [0, 0, 0], "cookie": {"pattern": "disco"},
                     "repeat": [{"count": 2, "step": [1e7, 0, 0]}]}], "objects": [])"));
   ASSERT_EQ(scene.lights.size(), 6u);
-  for (const PlacedLight& placed : scene.lights) EXPECT_FALSE(check(placed)) << to_string(*check(placed));
+  for (const PlacedLight& placed : scene.lights) EXPECT_FALSE(find_error(placed)) << to_string(*find_error(placed));
   EXPECT_EQ(error_of("\"lights\": [" + light("\"position\": [0, 0, 0],\n\"direction\": [0, 0, 0]}], \"objects\": []")),
             ":4:14: lights[0].direction = an array: must have a length in (1e-9, 1e9)");
   EXPECT_EQ(error_of("\"lights\": [" + light("\"position\": [4, 5, 6],\n\"aim\": [4, 5, 6]}], \"objects\": []")),

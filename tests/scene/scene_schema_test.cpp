@@ -105,7 +105,7 @@ TEST_F(SceneSchema, ModelsAreTheCatalogues) {
         EXPECT_NE(schema_.error_of(scene_with(parameter.name, value)), "") << value;
       }
       EXPECT_EQ(schema_.error_of(scene_with(parameter.name, parameter.minimum + 0.5)).empty(),
-                !check(parameter, parameter.minimum + 0.5));
+                !find_error(parameter, parameter.minimum + 0.5));
     }
     EXPECT_EQ(schema_.members_at("/definitions/object_" + std::string(model.name)), members);
   }

@@ -23,9 +23,9 @@ glm::dvec3 point_of(const JsonValue& value) {
 }
 
 double field_of_view_of(const JsonValue& value) {
-  const double degrees = snapped(value.number(), scene::kLeastFieldOfViewDeg, scene::kMostFieldOfViewDeg);
-  if (degrees >= scene::kLeastFieldOfViewDeg && degrees <= scene::kMostFieldOfViewDeg) return glm::radians(degrees);
-  value.fail(fmt::format("must be in [{}, {}]", scene::kLeastFieldOfViewDeg, scene::kMostFieldOfViewDeg));
+  const double degrees = snapped(value.number(), scene::kMinFieldOfViewDeg, scene::kMaxFieldOfViewDeg);
+  if (degrees >= scene::kMinFieldOfViewDeg && degrees <= scene::kMaxFieldOfViewDeg) return glm::radians(degrees);
+  value.fail(fmt::format("must be in [{}, {}]", scene::kMinFieldOfViewDeg, scene::kMaxFieldOfViewDeg));
 }
 
 double seconds_of(const JsonValue& value) {
@@ -56,8 +56,8 @@ scene::Camera CameraPath::at(double fraction) const {
   };
   return {.position = curve(&Key::position),
           .target = curve(&Key::target),
-          .field_of_view = float(std::clamp(curve(&Key::field_of_view), glm::radians(scene::kLeastFieldOfViewDeg),
-                                            glm::radians(scene::kMostFieldOfViewDeg)))};
+          .field_of_view = float(std::clamp(curve(&Key::field_of_view), glm::radians(scene::kMinFieldOfViewDeg),
+                                            glm::radians(scene::kMaxFieldOfViewDeg)))};
 }
 
 CameraPath read_camera_path(const std::string& file, double field_of_view) {

@@ -17,9 +17,9 @@ namespace {
 ///
 /// size  of the larger end
 double without_rounding_digits(double number, double size) {
-  constexpr double kLargestExactPower = 1e22;                              // of ten
+  constexpr double kMaxExactPower = 1e22;                                  // of ten
   const double parts = std::pow(10.0, 14 - std::floor(std::log10(size)));  // a unit: 15 digits of the larger end
-  if (!(parts >= 1 && parts <= kLargestExactPower)) return number;
+  if (!(parts >= 1 && parts <= kMaxExactPower)) return number;
   return std::round(number * parts) / parts + 0.0;  // no -0
 }
 

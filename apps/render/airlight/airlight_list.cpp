@@ -12,8 +12,8 @@
 namespace litfog::render {
 namespace {
 
-constexpr double kMostError = 0.0005;  // of the display: an eighth of a step
-constexpr double kSafety = 4;          // for airlight that bends more than k / h
+constexpr double kMaxError = 0.0005;  // of the display: an eighth of a step
+constexpr double kSafety = 4;         // for airlight that bends more than k / h
 // The fourth derivative of what a grid keeps of a beam, k / h (1 - (1 - t^2)^4 (1 + 4 t^2)), is 23 times as large as of
 // others (kept_fraction() in airlight_light.glsl).
 constexpr double kBeamBend = 1.9;  // 23^(1/5)
@@ -39,7 +39,7 @@ double display_slope(double value, double gain) {
   return gain * std::min(12.92, 0.4396 * std::pow(gain * value, 1 / 2.4 - 1));
 }
 
-/// Range from a light where grids of all pixels may miss kMostError of its airlight, about k / h at a distance h.
+/// Range from a light where grids of all pixels may miss kMaxError of its airlight, about k / h at a distance h.
 ///
 /// What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight_light.glsl), or (1 + d
 /// range)^4 times that where fog of density d makes it fall off faster. Of that by the fourth power of the texels'
@@ -52,7 +52,7 @@ double find_bend_range(double k, double density, double pixel, double gain) {
   double range = step;
   for (int i = 0; i < 16; ++i) {
     const double missed = kMissed * k * std::pow(step * (1 + density * range), 4) * display_slope(k / range, gain);
-    range = std::pow(missed / kMostError, 0.2);
+    range = std::pow(missed / kMaxError, 0.2);
   }
   return range / std::pow(double(kCoarsestGrid), 0.8);
 }

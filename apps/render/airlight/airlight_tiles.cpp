@@ -13,9 +13,9 @@
 namespace litfog::render {
 namespace {
 
-constexpr int kTile = 32;                 // pixels a side, about
-constexpr std::uint32_t kMostTiles = 32;  // a side: more cost more than shorter lists save
-constexpr double kNearest = 1e-5;         // metres
+constexpr int kTile = 32;                // pixels a side, about
+constexpr std::uint32_t kMaxTiles = 32;  // a side: more cost more than shorter lists save
+constexpr double kNearest = 1e-5;        // metres
 
 /// What tiles of a size show.
 litfog::View tiled_view(const scene::Camera& camera, glm::ivec2 picture_size, glm::ivec2 size) {
@@ -57,14 +57,14 @@ AirlightTiles list_airlight_tiles(const AirlightList& list, const scene::Camera&
                                   int beyond) {
   AirlightTiles tiles{.count = {1, 1}, .size = picture_size + beyond, .lists = {}};
   const litfog::View view = tiled_view(camera, picture_size, tiles.size);
-  if (check(view)) {
+  if (find_error(view)) {
     std::vector<std::uint32_t> all(list.entries.size());
     std::iota(all.begin(), all.end(), 0u);
     const Cluster whole{.first = 0, .count = std::uint32_t(all.size())};
     add_lists(tiles, list.ranges, {&whole, 1}, all);
     return tiles;
   }
-  const auto across = [](int pixels) { return std::min(std::uint32_t(pixels + kTile - 1) / kTile, kMostTiles); };
+  const auto across = [](int pixels) { return std::min(std::uint32_t(pixels + kTile - 1) / kTile, kMaxTiles); };
   LightClusters clusters({.columns = across(tiles.size.x), .rows = across(tiles.size.y), .slices = 1});
   clusters.resize(list.bounds.size());
   for (std::size_t i = 0; i < list.bounds.size(); ++i) clusters.set_light(i, list.bounds[i]);

@@ -15,7 +15,7 @@ namespace litfog::render {
 namespace {
 
 constexpr double kApart = 0.03;  // radians between texels
-constexpr int kMostRows = 120;   // and one more: kSlabs + 1 pictures of them fit into 4096
+constexpr int kMaxRows = 120;    // and one more: kSlabs + 1 pictures of them fit into 4096
 constexpr int kSlabs = 32;       // of far_airlight.glsl, as is the next
 constexpr int kSlabsAtOnce = kSlabs / FarAirlightList::kSections;
 
@@ -57,7 +57,7 @@ void FarAirlight::set_list(const FarAirlightList& list) {
 
 void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphere& atmosphere) {
   if (is_empty()) return;
-  step_ = std::max({1, int(kApart * view.pixels_per_radian), (picture_size.y + kMostRows - 1) / kMostRows});
+  step_ = std::max({1, int(kApart * view.pixels_per_radian), (picture_size.y + kMaxRows - 1) / kMaxRows});
   set_size((picture_size + (step_ - 1)) / step_ + 1);
   pass_.begin();
 

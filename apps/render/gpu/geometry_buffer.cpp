@@ -50,7 +50,7 @@ GeometryBuffer::GeometryBuffer(int width, int height, int samples)
   const bool drawn_is_whole = is_complete();
   glBindFramebuffer(GL_FRAMEBUFFER, read_.id());
   glBindRenderbuffer(GL_RENDERBUFFER, read_color_.id());
-  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, width, std::min(height, kMostRows));
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA32F, width, std::min(height, kMaxRows));
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, read_color_.id());
   if (!is_complete() || !drawn_is_whole || glGetError() != GL_NO_ERROR) {
     throw gl::Unsupported(
@@ -68,7 +68,7 @@ void GeometryBuffer::begin() const {
 }
 
 void GeometryBuffer::begin_layer(int layer) const {
-  assert(layer >= 0 && layer < kMostLayers);
+  assert(layer >= 0 && layer < kMaxLayers);
   begin();
   glDepthFunc(GL_ALWAYS);
   glClear(GL_STENCIL_BUFFER_BIT);
@@ -84,7 +84,7 @@ void GeometryBuffer::end() const {
 }
 
 std::vector<GeometrySample> GeometryBuffer::read_rows(int first, int count) const {
-  assert(first >= 0 && count >= 1 && count <= kMostRows && first + count <= height_);
+  assert(first >= 0 && count >= 1 && count <= kMaxRows && first + count <= height_);
   const auto pixels = std::size_t(width_) * std::size_t(count);
   const auto samples = std::size_t(samples_);
   std::vector<GeometrySample> rows(pixels * samples);

@@ -37,15 +37,15 @@ class GeometryBuffer {
   int samples() const { return samples_; }
   /// Makes it the target of drawing, and empty: sky everywhere.
   void begin() const;
-  /// The same for a layer, below kMostLayers: what is drawn in a sample after `layer` others, at any depth.
+  /// The same for a layer, below kMaxLayers: what is drawn in a sample after `layer` others, at any depth.
   void begin_layer(int layer) const;
   /// Has to be called when all is drawn.
   void end() const;
   /// Rows of samples, the picture's top row being row 0: all of a pixel's samples, then the next pixel's.
   std::vector<GeometrySample> read_rows(int first, int count) const;
 
-  static constexpr int kMostRows = 64;  ///< at a time
-  static constexpr int kMostLayers = 254;
+  static constexpr int kMaxRows = 64;  ///< at a time
+  static constexpr int kMaxLayers = 254;
 
  private:
   static constexpr int kTargets = 6;  // vec4s of a GeometrySample

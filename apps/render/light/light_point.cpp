@@ -18,7 +18,7 @@ void draw_light_points(const gl::Program& program, const View& view, FogLighting
   set_uniform(program, "brightest", kBrightestPoint);
   set_uniform(program, "core_radius", kPointRadius);
   set_uniform(program, "point_radii", kPointRadii);
-  set_uniform(program, "largest_growth", has_glare ? kLargestGlare : kLargestWithoutGlare);
+  set_uniform(program, "largest_growth", has_glare ? kMaxGlare : kMaxWithoutGlare);
   set_uniform(program, "halo_brightness", kHaloBrightness);
   set_uniform(program, "pixel_scale", float(view.size.y) / kPointPictureHeight);
   set_uniform(program, "near_plane", kNearPlane);

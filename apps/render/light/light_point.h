@@ -7,8 +7,8 @@
 
 namespace litfog::render {
 
-/// Draws lights as points over what has been drawn, by the program in use, one of shaders/light_point.vert that can read
-/// its lights.
+/// Draws lights as points over what has been drawn, by the program in use, one of shaders/light_point.vert that can
+/// read its lights.
 ///
 /// first  of its light list, as count counts
 void draw_light_points(const gl::Program& program, const View& view, FogLighting fog_lighting, int first, int count);

@@ -59,8 +59,8 @@ PointList list_points(const SceneLights& lights, const Fog& fog, const glm::dvec
 }
 
 double point_depth_factor(double field_of_view, int height) {
-  constexpr double kLargest = kPointRadii * kPointRadius * kLargestGlare / kPointPictureHeight;
-  const double size = std::max(kLargest, 2.0 / height);  // of the picture's; no point is below two pixels
+  constexpr double kMax = kPointRadii * kPointRadius * kMaxGlare / kPointPictureHeight;
+  const double size = std::max(kMax, 2.0 / height);  // of the picture's; no point is below two pixels
   return 1 + size * std::tan(field_of_view / 2);
 }
 

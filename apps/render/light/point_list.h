@@ -18,8 +18,8 @@ inline constexpr float kBrightestPoint = 1.5f;        ///< beyond full brightnes
 inline constexpr float kHaloBrightness = 0.25f;       ///< in the middle, where the core has 1
 inline constexpr float kPointPictureHeight = 720;     ///< pixels: of the picture that the next is for
 inline constexpr float kPointRadius = 1.3f;           ///< pixels of that picture, at full brightness
-inline constexpr float kLargestGlare = 8;             ///< times that radius
-inline constexpr float kLargestWithoutGlare = 1.5f;   ///< likewise
+inline constexpr float kMaxGlare = 8;                 ///< times that radius
+inline constexpr float kMaxWithoutGlare = 1.5f;       ///< likewise
 inline constexpr float kPointRadii = 5;               ///< size of a point in radii: beyond 2.5 nothing of it is left
 
 /// The local lights whose points a frame draws.

@@ -44,11 +44,11 @@ scene::Bounds bounds_of_all(const std::vector<Surface>& surfaces) {
 /// whose  "3 lamps"
 void expect_room(const std::string& whose, std::size_t layers, int size) {
   const std::size_t bytes = layers * std::size_t(size) * std::size_t(size) * sizeof(float);
-  if (bytes > ShadowMaps::kMostBytes) {
+  if (bytes > ShadowMaps::kMaxBytes) {
     throw gl::Unsupported(
         fmt::format("the shadows of {} need {} maps of {} texels a side, {:.1f} GiB; at most 1 GiB is taken for "
                     "them, so fewer lamps have to cast shadows, or by smaller maps",
-                    whose, layers, size, double(bytes) / double(ShadowMaps::kMostBytes)));
+                    whose, layers, size, double(bytes) / double(ShadowMaps::kMaxBytes)));
   }
   GLint most = 0;
   GLint largest = 0;

@@ -23,13 +23,13 @@ namespace litfog::render {
 class ShadowMaps {
  public:
   static constexpr int kNoCaster = -1;
-  static constexpr std::size_t kMostBytes = std::size_t{1} << 30;
+  static constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
   /// scene     has to outlive this
   /// surfaces  that cast shadows; have to outlive this
   /// aspect    width over height of the pictures
   /// settings  of which the shadows are not none
-  /// throws    gl::Unsupported where the maps would take more than kMostBytes, or this OpenGL has no such textures
+  /// throws    gl::Unsupported where the maps would take more than kMaxBytes, or this OpenGL has no such textures
   ShadowMaps(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces, double aspect,
              const RenderSettings& settings);
 

@@ -84,8 +84,7 @@ std::size_t count_alike(const FramePlan& plan, std::span<const PlannedSurface> s
     const Surface& a = *first.surface;
     const Surface& b = *other.surface;
     return a.material == b.material && a.is_fog_lit == b.is_fog_lit && a.chunk->has_details == b.chunk->has_details &&
-           first.is_fog_alone == other.is_fog_alone &&
-           std::ranges::equal(plan.lights_of(first), plan.lights_of(other));
+           first.is_fog_alone == other.is_fog_alone && std::ranges::equal(plan.lights_of(first), plan.lights_of(other));
   };
   return std::size_t(std::ranges::find_if_not(surfaces, is_alike) - surfaces.begin());
 }
@@ -134,10 +133,7 @@ void SurfacePainter::set_fog() { fog_lights_ = fog_lights(lights_, settings_.pat
 
 std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const View& view,
                                  const ShadowMaps* shadows, Interruption& interruption) {
-  Frame frame{.path = path,
-              .view = view,
-              .shadows = shadows,
-              .number = ++frames_};
+  Frame frame{.path = path, .view = view, .shadows = shadows, .number = ++frames_};
   if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
   select_samples(0);
   surfaces_.meshes().bind();

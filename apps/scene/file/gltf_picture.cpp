@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kMaxTexels = std::size_t{1} << 27;
 constexpr std::size_t kMaxEncodedBytes = std::size_t{256} << 20;  // of a picture's file
 constexpr int kMaxPictureSide = 16'384;
-constexpr double kLargestTransform = 1e6;
+constexpr double kMaxTransform = 1e6;
 
 /// The mean RGB, each level replaced by its value in a table.
 glm::vec3 mean_of(const Texels& texels, const std::array<float, 256>& value_of_level) {
@@ -90,8 +90,7 @@ GltfCoordinates coordinates_of(const JsonValue& texture_info) {
     const auto given = transform->optional(name);
     if (!given) return absent;
     const glm::dvec2 value = glm::make_vec2(numbers(*given, 2).data());
-    if (!is_within(value.x, -kLargestTransform, kLargestTransform) ||
-        !is_within(value.y, -kLargestTransform, kLargestTransform))
+    if (!is_within(value.x, -kMaxTransform, kMaxTransform) || !is_within(value.y, -kMaxTransform, kMaxTransform))
       given->fail("must be at most 1e6");
     return value;
   };

@@ -32,10 +32,10 @@ namespace litfog::scene {
 namespace {
 
 constexpr double kBrightestAtKnee = 16;   // of the display's white
-constexpr double kLargestKnee = 1;        // metres
+constexpr double kMaxKnee = 1;            // metres
 constexpr double kLeast = 1.0 / 512;      // half of 1/256 of the display's white
-constexpr double kLeastTilt = 1e-3;       // radians from the vertical, which floats tell from it
-constexpr double kLeastRoll = 0.026;      // radians, 1.5 degrees: less is not told
+constexpr double kMinTilt = 1e-3;         // radians from the vertical, which floats tell from it
+constexpr double kMinRoll = 0.026;        // radians, 1.5 degrees: less is not told
 constexpr double kBrightestSun = 65'504;  // of the display's white: a framebuffer's half floats end there
 constexpr std::string_view kPunctual = "KHR_lights_punctual";
 constexpr std::string_view kBasisu = "KHR_texture_basisu";
@@ -156,7 +156,7 @@ class GltfReader {
         "directional lights but for the brightest");
     add(orthographic_cameras_, "orthographic camera", "orthographic cameras");
     add(other_cameras_, "other camera", "other cameras");
-    if (roll_ > kLeastRoll) parts.push_back(fmt::format("the camera's roll of {:.0f} degrees", glm::degrees(roll_)));
+    if (roll_ > kMinRoll) parts.push_back(fmt::format("the camera's roll of {:.0f} degrees", glm::degrees(roll_)));
     const std::size_t scenes = items_of(file_.root(), "scenes").size();
     add(scenes - 1, "other scene", "other scenes");
     std::set<std::string> extensions = materials_.extensions();
@@ -284,8 +284,8 @@ class GltfReader {
     glm::dvec3 forward = -glm::normalize(axes[2]);
     const glm::dvec3 up = glm::normalize(axes[1]);
     // One that looks straight up or down has no upright but its own: 0.06 degrees of tilt keep it.
-    if (std::hypot(forward.x, forward.z) < kLeastTilt) {
-      forward = glm::normalize(forward - std::copysign(kLeastTilt, forward.y) * up);
+    if (std::hypot(forward.x, forward.z) < kMinTilt) {
+      forward = glm::normalize(forward - std::copysign(kMinTilt, forward.y) * up);
     }
     const glm::dvec3 right = glm::normalize(glm::cross(forward, glm::dvec3(0, 1, 0)));
     roll_ = std::abs(std::atan2(glm::dot(up, right), glm::dot(up, glm::cross(right, forward))));
@@ -375,7 +375,7 @@ class GltfReader {
     placed.position = glm::dvec3(world_from_node[3]);
     placed.direction = glm::normalize(axis);
     placed.carried = is_carried;
-    double knee_square = std::min(brightest / kBrightestAtKnee, kLargestKnee * kLargestKnee);
+    double knee_square = std::min(brightest / kBrightestAtKnee, kMaxKnee * kMaxKnee);
     knee_square = std::max(knee_square, brightest / kMaxColor);
     placed.light.threshold = kLeast * knee_square / brightest;
     if (double range = light.number_or("range", 0); range != 0) {
@@ -387,7 +387,7 @@ class GltfReader {
     placed.light.attenuation = {.constant = 0, .linear = 0, .quadratic = 1 / knee_square};
     placed.light.color = at_one_metre / knee_square;
     if (is_spot) placed.light.cone = read_cone(light.member("spot"));
-    if (const auto error = check(placed)) light.fail(fmt::format("{} {}", error->field, error->rule));
+    if (const auto error = find_error(placed)) light.fail(fmt::format("{} {}", error->field, error->rule));
     if (!(brightest / knee_square <= kMaxColor)) {
       fail_at(light, "range", "must not end a light where it shows more than 2500 times the display's white");
     }

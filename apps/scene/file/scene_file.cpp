@@ -54,7 +54,7 @@ bool is_color(const glm::dvec3& color) {
 }
 const std::string kColorRule = fmt::format("must be a colour of numbers in [0, {}]", kMaxColor);
 
-// Hence check(PlacedLight) finds nothing wrong with a light that is read here.
+// Hence a light that is read here is valid (find_error(PlacedLight)).
 static_assert(kMaxCoordinate <= kMaxPosition);
 bool is_position(const glm::dvec3& position) {
   return glm::all(glm::lessThanEqual(glm::abs(position), glm::dvec3(kMaxCoordinate)));
@@ -141,11 +141,10 @@ std::vector<glm::dvec3> read_repeat(const JsonValue& object, const glm::dvec3& p
 
 Camera read_camera(const JsonValue& value) {
   value.allow_only({"position", "target", "field_of_view_deg"});
-  const Camera camera{
-      .position = position_of(value.member("position")),
-      .target = position_of(value.member("target")),
-      .field_of_view =
-          glm::radians(float(number_in_or(value, "field_of_view_deg", kLeastFieldOfViewDeg, kMostFieldOfViewDeg, 50)))};
+  const Camera camera{.position = position_of(value.member("position")),
+                      .target = position_of(value.member("target")),
+                      .field_of_view = glm::radians(
+                          float(number_in_or(value, "field_of_view_deg", kMinFieldOfViewDeg, kMaxFieldOfViewDeg, 50)))};
   if (!has_heading(camera)) value.member("target").fail(kHeadingRule);
   return camera;
 }
@@ -228,7 +227,7 @@ class SceneReader {
     air.top = root.number_or("fog_top_m", air.top);
     if (const auto phase_g = root.optional("phase_g")) {
       air.phase.asymmetry = phase_g->number();
-      if (const auto error = check(air.phase)) phase_g->fail(error->rule);
+      if (const auto error = find_error(air.phase)) phase_g->fail(error->rule);
     }
     if (const auto vehicle = root.optional("vehicle")) vehicle_ = read_vehicle(*vehicle);
     if (const auto lights = root.optional("lights")) {
@@ -476,7 +475,7 @@ class SceneReader {
     for (const ParameterInfo& parameter : info->parameters) {
       allowed.push_back(parameter.name);
       if (const auto given = value.optional(parameter.name)) {
-        if (const auto rule = check(parameter, given->number())) given->fail(*rule);
+        if (const auto rule = find_error(parameter, given->number())) given->fail(*rule);
         parameters.emplace(parameter.name, given->number());
         key += fmt::format(" {}={}", parameter.name, given->number());
       }

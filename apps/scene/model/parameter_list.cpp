@@ -25,7 +25,7 @@ double shortest_decimal(float value) {
 
 }  // namespace
 
-std::optional<std::string> check(const ParameterInfo& parameter, double value) {
+std::optional<std::string> find_error(const ParameterInfo& parameter, double value) {
   value = snapped(value, parameter.minimum, parameter.maximum);
   if (!(value >= parameter.minimum && value <= parameter.maximum)) {
     return fmt::format("must be in [{}, {}]", parameter.minimum, parameter.maximum);
@@ -58,7 +58,7 @@ void ParameterList::set(const ModelParameters& parameters) const {
     if (entry == entries_.end()) {
       throw std::invalid_argument(fmt::format("{} = {}: must be a parameter of the model", name, value));
     }
-    if (const auto rule = check(entry->info, value)) {
+    if (const auto rule = find_error(entry->info, value)) {
       throw std::invalid_argument(fmt::format("{} = {}: {}", name, value, *rule));
     }
     entry->set(snapped(value, entry->info.minimum, entry->info.maximum));

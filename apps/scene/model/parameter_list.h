@@ -20,7 +20,7 @@ struct ParameterInfo {
 };
 
 /// What is wrong with a value ("must be a whole number", "must be in [0.5, 40]"), or nothing.
-std::optional<std::string> check(const ParameterInfo& parameter, double value);
+std::optional<std::string> find_error(const ParameterInfo& parameter, double value);
 
 /// The largest seed of a model.
 inline constexpr double kMaxSeed = 1e6;

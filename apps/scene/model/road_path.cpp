@@ -12,8 +12,8 @@ void RoadPath::describe(ParameterList& list) {
   list.add("length_m", length_m, 10, 4000);
   list.add("bend_m", bend_m, -200, 200);
   list.add_rule([this]() -> std::optional<std::string> {
-    constexpr double kLeastRadius_m = 100.0;
-    const double most = 0.5 * double{length_m} * double{length_m} / kLeastRadius_m;
+    constexpr double kMinRadius_m = 100.0;
+    const double most = 0.5 * double{length_m} * double{length_m} / kMinRadius_m;
     if (std::abs(double{bend_m}) <= most * (1.0 + 1e-6)) return std::nullopt;
     return fmt::format("bend_m = {}: must be at most length_m^2 / 200 = {} in magnitude, a radius of 100 m", bend_m,
                        most);

@@ -10,11 +10,11 @@
 namespace litfog::scene {
 namespace {
 
-constexpr int kMostCells = 400;    // along a side of a patch
+constexpr int kMaxCells = 400;     // along a side of a patch
 constexpr float kBlend_m = 12.0f;  // from the corridor's edge to full relief
 constexpr float kBankReach_m = 60.0f;
 
-int cells(float length, float cell) { return std::clamp(int(std::ceil(length / cell)), 1, kMostCells); }
+int cells(float length, float cell) { return std::clamp(int(std::ceil(length / cell)), 1, kMaxCells); }
 
 }  // namespace
 

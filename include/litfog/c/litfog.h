@@ -16,7 +16,7 @@
 //           for an array of no entries. Memory for results must not overlap other memory that the call is given.
 // Memory    a call keeps no pointer that it is given. Memory that a result points to is litfog's: never freed by the
 //           caller, and gone with the handle that it came from. Strings end with a NUL.
-// Structs   plain. One that a caller fills is checked in every call, by the rules of check() in C++.
+// Structs   plain. One that a caller fills is checked in every call, by the rules of find_error() in C++.
 // Handles   each *_create is undone by its *_destroy, which also takes NULL.
 // Threads   calls without a handle may run on any threads at once. Different handles are independent. Calls on one
 //           handle that take it as const may run at once, every other call on it alone. No handle belongs to a thread.

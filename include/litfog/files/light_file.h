@@ -41,14 +41,14 @@ Light read_light(const std::string& path);
 /// A light as the text of its file. Numbers are read back exactly, except angles that no double in degrees stands for,
 /// which are off by their last bit.
 ///
-/// light   one that check() finds nothing wrong with; not checked here
+/// light   a valid one (find_error()); not checked here
 /// source  lines of the member "source"; without any it is left out
 /// fit     JSON text of the member "fit"; empty: left out
 std::string format_light(const Light& light, const std::vector<std::string>& source = {}, std::string_view fit = {});
 
 /// Writes a light file atomically: an earlier file stays as it was when anything fails.
 ///
-/// throws  std::invalid_argument for a light with which check() finds something wrong; OutputError
+/// throws  std::invalid_argument for a light that find_error() refuses; OutputError
 void write_light(const std::string& path, const Light& light, const std::vector<std::string>& source = {});
 
 }  // namespace litfog

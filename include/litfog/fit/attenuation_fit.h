@@ -40,7 +40,7 @@ struct AttenuationTarget {
 };
 
 /// What is wrong with a target, or nothing.
-std::optional<TargetError> check(const AttenuationTarget& target);
+std::optional<TargetError> find_error(const AttenuationTarget& target);
 
 enum class AttenuationFitStatus {
   optimal,     ///< no attenuation that meets the extent (and constant) has a smaller objective by more than 1e-7 of it
@@ -93,7 +93,7 @@ struct AttenuationFit {
 ///             the best attenuation without extent and constant
 /// max error   the extent 1e-12 relative; C, L and Q 9 digits of the exact optimum where the samples identify them
 ///                                                                                        (attenuation_fit_test.cpp)
-/// throws      std::invalid_argument with the sentence of check(target)
+/// throws      std::invalid_argument with the sentence of find_error(target)
 AttenuationFit fit_attenuation(const AttenuationTarget& target);
 
 }  // namespace litfog

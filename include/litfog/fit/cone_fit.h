@@ -44,7 +44,7 @@ struct ConeTarget {
 };
 
 /// What is wrong with a target, or nothing.
-std::optional<TargetError> check(const ConeTarget& target);
+std::optional<TargetError> find_error(const ConeTarget& target);
 
 enum class ConeFitStatus {
   optimal,   ///< no cone of the profile has an objective smaller by more than 0.1 %
@@ -107,7 +107,7 @@ struct ConeFit {
 ///
 /// returns      each profile, and which is best; covariance is absent where the rules above made the choice
 /// max error    objective 0.1 % above the global minimum, or 1e-20 of sum of weight * (I / I_max)^2 (cone_fit_test.cpp)
-/// throws       std::invalid_argument with the sentence of check(target)
+/// throws       std::invalid_argument with the sentence of find_error(target)
 ConeFit fit_cone(const ConeTarget& target);
 
 }  // namespace litfog

@@ -17,8 +17,8 @@ namespace litfog::gl {
 /// threads  as GlName
 class FogLightTables {
  public:
-  /// Uploads what has changed; the whole of a table that has outgrown its buffer, which it does the first time. That takes
-  /// the place of what the active texture unit has bound to GL_TEXTURE_BUFFER, so bind textures afterwards.
+  /// Uploads what has changed; the whole of a table that has outgrown its buffer, which it does the first time. That
+  /// takes the place of what the active texture unit has bound to GL_TEXTURE_BUFFER, so bind textures afterwards.
   void upload(std::span<const FogLightKind> kinds, std::span<const FogLightInstance> instances,
               const FogLightChanges& changes);
 

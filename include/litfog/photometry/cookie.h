@@ -25,7 +25,7 @@ struct Cookie {
 };
 
 /// What is wrong with a cookie, or nothing.
-std::optional<ValueError> check(const Cookie& cookie);
+std::optional<ValueError> find_error(const Cookie& cookie);
 
 /// Samples a function at the centres of a cube map's texels.
 ///
@@ -44,7 +44,7 @@ Cookie bake_cookie(const IntensityDistribution& distribution, int size, const gl
 /// Intensity over the light's peak towards a direction: bilinear between the four nearest texels of its face, as a cube
 /// map without seamless filtering is looked up.
 ///
-/// cookie     one that check() finds nothing wrong with; not checked here
+/// cookie     a valid one (find_error()); not checked here
 /// direction  of any length but 0
 double cookie_at(const Cookie& cookie, const glm::dvec3& direction);
 

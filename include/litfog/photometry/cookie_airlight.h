@@ -14,7 +14,7 @@ inline constexpr double kCookieAirlightMaxError = 1 / 255.;
 
 /// Airlight (airlight.h) of a light whose angular shape is a cookie, in place of its cone.
 ///
-/// cookie             one that check() finds nothing wrong with; not checked here
+/// cookie             a valid one (find_error()); not checked here
 /// cookie_from_world  a rotation: the light's axis becomes -z, its up +y
 /// max error          kCookieAirlightMaxError                                              (cookie_airlight_test.cpp)
 /// throws             std::invalid_argument naming field, value and rule

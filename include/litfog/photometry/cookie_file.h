@@ -11,7 +11,7 @@ namespace litfog {
 /// A cookie as the bytes of an OpenEXR file: scan lines of one 32-bit channel Y, zip compression, the faces in one
 /// column from the top. The same cookie gives the same bytes: no time stands in them.
 ///
-/// throws     std::invalid_argument for what check(cookie) finds
+/// throws     std::invalid_argument for what find_error(cookie) finds
 std::string format_cookie(const Cookie& cookie);
 
 /// Parses a cookie file. Only what format_cookie() could have written is taken: one part, scan lines, one 32-bit float

@@ -20,7 +20,7 @@ struct IsocandelaEllipse {
 
 /// What is wrong with ellipses, or nothing. There is at least one; from each to the next both half axes grow, and the
 /// intensity does not. Not all are dark.
-std::optional<ValueError> check(const std::vector<IsocandelaEllipse>& ellipses);
+std::optional<ValueError> find_error(const std::vector<IsocandelaEllipse>& ellipses);
 
 /// The largest errors of elliptical_beam() for ellipses of ratios up to 4: of the flux, relative; of the intensity
 /// where it is continuous, as a fraction of the peak.

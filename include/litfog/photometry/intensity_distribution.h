@@ -46,11 +46,11 @@ struct IntensityDistribution {
 
 /// What is wrong with a distribution, or nothing. Every call below except intensity_at throws std::invalid_argument if
 /// something is.
-std::optional<ValueError> check(const IntensityDistribution& distribution);
+std::optional<ValueError> find_error(const IntensityDistribution& distribution);
 
 /// Luminous intensity towards a direction.
 ///
-/// distribution  one that check() finds nothing wrong with; not checked here
+/// distribution  a valid one (find_error()); not checked here
 /// direction     luminaire frame, of any length but 0
 /// returns       candela
 double intensity_at(const IntensityDistribution& distribution, const glm::dvec3& direction);
