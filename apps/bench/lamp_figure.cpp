@@ -44,7 +44,7 @@ Result measure_lamps(bool quick) {
       const double visibility = kMinVisibility * std::pow(kMaxVisibility / kMinVisibility, double(i) / steps);
       const Fog fog = Fog::from_visibility(FogMode::exp, visibility);
       const double intensity = solve_fog_intensity(light, fog).intensity;
-      const double computed[] = {axial_airlight(light, fog), airlight(placed, fog, ray)};
+      const double computed[] = {axial_airlight(light, fog), airlight(placed, {fog}, ray)};
       const double reference[] = {reference_airlight(placed, {fog}, ray, LampLeg::clear),
                                   reference_airlight(placed, {fog}, ray)};
       const double error = 255 * std::max(std::abs(computed[0] - reference[0]), std::abs(computed[1] - reference[1]));

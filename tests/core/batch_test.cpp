@@ -122,7 +122,7 @@ class Batch : public testing::Test {
   void on_every_target(const Check& check) {
     for_each_simd_target([&](const char* target) {
       std::printf("%s\n", target);
-      find_error();
+      check();
     });
   }
 };

@@ -31,7 +31,7 @@ class SequenceTest : public testing::Test {
   }
   bool changes_environment_light(const std::string& member) const {
     const demo::SequenceOptions options = over(member);
-    return demo::Sequence(options, {}).changes_environment_light();
+    return demo::Sequence(options).changes_environment_light();
   }
 
  private:
@@ -53,12 +53,12 @@ TEST_F(SequenceTest, EnvironmentsLightIsThatOfMoonAndAmbience) {
 
 TEST_F(SequenceTest, ObjectsChangeWithTheirMembersAlone) {
   const demo::SequenceOptions copies = over("objects[0].repeat[0].count", {1, 2});
-  EXPECT_TRUE(demo::Sequence(copies, {}).changes_objects());
+  EXPECT_TRUE(demo::Sequence(copies).changes_objects());
   const demo::SequenceOptions same = over("objects[0].width_m", {2});
   const demo::SequenceOptions fog = over("fog_top_m");
   demo::SequenceOptions both = fog;
   both.members.push_back(same.members[0]);
-  EXPECT_FALSE(demo::Sequence(both, {}).changes_objects());
+  EXPECT_FALSE(demo::Sequence(both).changes_objects());
 }
 
 }  // namespace

@@ -116,8 +116,8 @@ TEST_F(LightSpecSchema, RangesOfMembersThatDoNotGoTogetherAreRefused) {
 TEST_F(LightSpecSchema, EveryProfileIsValid) {
   for (const ConeProfileFacts& facts : kConeProfiles) {
     if (fitted_parameters(facts.profile).empty()) continue;
-    const std::string text =
-        R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": 9, "profile": ")" + facts.name + "\"}}";
+    const std::string text = R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": 9, "profile": ")" +
+                             std::string(facts.name) + "\"}}";
     EXPECT_EQ(schema_.error_of(text), "") << text;
     EXPECT_EQ(refusal_of(text), "") << text;
   }

@@ -122,7 +122,8 @@ TEST_F(FormulasShader, SmoothstepConeIsTheLibrarys) {
 
 TEST_F(FormulasShader, EveryProfilesConeIsTheLibrarysAndAnyOtherNumberIsDark) {
   for (const ConeProfileFacts& facts : kConeProfiles) {
-    const PlacedLight light{.light = {.cone = facts.first}};
+    PlacedLight light;
+    light.light.cone = facts.first;
     const vec4 packed = pack_fog_light_kind(light, {}).cone_scale_intensity;
     const float number = pack_fog_light_instance(light, 0).axis_profile.w;
     const auto points =
