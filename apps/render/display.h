@@ -8,12 +8,12 @@
 
 namespace litfog::render {
 
-inline constexpr double kMaxExposure = 32;  ///< EV, either way: half floats span 40
+inline constexpr double kMaxExposure = 32;  ///< EV, above and below 0: half floats span 40
 
 /// Exposure of a picture in EV: its light is multiplied by 2^ev.
 struct Exposure {
-  double ev = 0;         ///< [-kMaxExposure, kMaxExposure]; of an automatic one what Renderer::set_exposure has chosen
-  bool is_auto = false;  ///< whether it is to be chosen from the picture
+  double ev = 0;         ///< [-kMaxExposure, kMaxExposure]; if is_auto, as Renderer::set_exposure chose it
+  bool is_auto = false;  ///< whether to choose ev from the picture
 
   friend bool operator==(const Exposure&, const Exposure&) = default;
 };
@@ -26,24 +26,25 @@ struct Exposure {
 /// clip     each channel is cut at 1, as in the papers; a bright orange becomes yellow
 enum class ToneCurve { neutral, clip };
 
-/// From scene values, linear and unbounded, to a display's light, linear in [0, 1].
+/// Maps scene values, linear and unbounded, to a display's light, linear in [0, 1].
 struct Display {
   Exposure exposure = {};
   ToneCurve tone = ToneCurve::neutral;
 };
 
-/// The largest exposure at which no more than one in twenty of the pixels that are not black has a channel beyond 0.8,
-/// up to where a display shows colours as they are, and no more than one in a hundred beyond 4, which `neutral` still
-/// shows below white. So a few bright lamps do not darken a picture, and a dark sky does not make what is lit white.
+/// The largest exposure at which no more than one in twenty of the pixels that are not black has a channel above 0.8,
+/// the limit up to which a display shows colours unchanged, and no more than one in a hundred a channel above 4, which
+/// `neutral` still shows below white. So a few bright lamps do not darken a picture, and a dark sky does not turn lit
+/// surfaces white.
 ///
-/// returns  EV in hundredths, in [-kMaxExposure, kMaxExposure]; 0 where all is 0 or not finite, which does not count
+/// returns  EV in hundredths, in [-kMaxExposure, kMaxExposure]; pixels that are not finite do not count; 0 if no other
+///          pixel is lit
 double auto_exposure(const Picture& picture);
 
-/// A colour on a tone curve: exposed already, each channel >= 0 and finite. Returns each in [0, 1].
+/// Applies a tone curve to a colour that is already exposed, each channel finite and >= 0. Returns channels in [0, 1].
 glm::vec3 toned(ToneCurve tone, const glm::vec3& color);
 
-/// A picture as a display shows it, each channel in [0, 1]. What is below 0 or not a number is black, infinity is
-/// white.
+/// A picture as a display shows it, each channel in [0, 1]. Channels below 0 and NaN become 0, infinity becomes 1.
 Picture displayed(const Picture& picture, const Display& display);
 
 /// A value that a display shows, in [0, 1], as 8 bits of sRGB, dithered against banding.

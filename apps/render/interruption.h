@@ -8,17 +8,18 @@
 
 namespace litfog::render {
 
-/// Thrown in place of a frame that is no longer wanted.
+/// Thrown instead of finishing a frame that is no longer wanted.
 struct Interrupted {};
 
 /// Whether a frame is still wanted while it is drawn.
 class Interruption {
  public:
-  /// is_unwanted  asked now and then, once it has said so no more; empty: it is always wanted
+  /// is_unwanted  polled during drawing; not called again after it returns true; empty: always wanted
   explicit Interruption(std::function<bool()> is_unwanted = {}) : is_unwanted_(std::move(is_unwanted)) {}
 
   bool can_come() const { return bool(is_unwanted_); }
-  /// Waits for what has been drawn, else the driver would be asked for all of it before the first answer counts.
+  /// Waits for the GPU before it polls: drawing is asynchronous, and without waiting all of a frame would be queued
+  /// before the first poll.
   bool has_come() {
     if (!is_unwanted_ || has_come_) return has_come_;
     glFinish();

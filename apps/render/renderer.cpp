@@ -28,12 +28,12 @@ std::size_t entries_in(std::span<const EntryRange> ranges) {
   return entries;
 }
 
-/// Times the stages of a frame, if asked to.
+/// Optionally times the stages of a frame.
 class StageClock {
  public:
   explicit StageClock(StageTimes* times) : times_(times) {}
 
-  /// Waits for what has been drawn since the last stage, and notes its time.
+  /// Waits for the GPU to finish a stage, and records its time.
   void end(double StageTimes::*stage) {
     if (!times_) return;
     glFinish();
@@ -105,7 +105,7 @@ void Renderer::set_lights() { set_lights_for(lights_.exposure()); }
 
 void Renderer::set_lights_for(double ends_exposure) {
   lights_ = SceneLights(scene_, settings_, ends_exposure);
-  light_tables_ = {};  // so that all are uploaded
+  light_tables_ = {};  // so that all tables are uploaded
   cookie_cones_ =
       BufferTexture(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(), BufferTexture::Texel::float4);
   surfaces_.set_lights();
@@ -129,8 +129,8 @@ void Renderer::set_atmosphere(const Atmosphere& atmosphere) {
 Exposure Renderer::set_exposure(const Exposure& exposure) {
   exposure_ = exposure.ev;
   if (exposure.is_auto) {
-    // Surfaces are drawn as for the largest exposure. Airlight would take long then: it is drawn as for 0 EV and, where
-    // the exposure found by that is higher, once more as for that.
+    // Surfaces are drawn as for the largest exposure. For airlight that would take too long: it is drawn as for 0 EV
+    // and, if the exposure found is higher, once more as for that exposure.
     draw_for({.surfaces = kMaxExposure, .airlight = 0});
     exposure_ = auto_exposure(read());
     if (exposure_ > 0) {
@@ -182,7 +182,7 @@ double Renderer::count_lights_per_fragment() {
   const View view = this->view();
   FramePlan plan = planner_.plan(frame_view(view, {exposure_, exposure_}));
   for (PlannedSurface& surface : plan.surfaces) surface.is_fog_alone = false;
-  const Framebuffer counts(width(), height(), Passes::several, samples());  // in floats: halves end at 65,504
+  const Framebuffer counts(width(), height(), Passes::several, samples());  // floats, because half floats end at 65,504
   begin_frame(counts, glm::vec3(0));
   Interruption whole;
   surfaces_.draw(light_count_path(), plan, view, nullptr, whole);

@@ -30,36 +30,35 @@ namespace litfog::render {
 /// Whether lamps are drawn as points over the surfaces.
 enum class LightPoints { on, off };
 
-/// Whether light of a picture reaches the end of half floats, at which a frame of one pass is cut off.
+/// Whether a picture's light reaches the largest half float, at which a frame of one pass is clipped.
 bool is_cut_off(const Picture& picture);
 
 /// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera and sky
 /// may change from frame to frame, but lamps that cast shadows are chosen as set_lights() finds the camera.
 ///
-/// Scenes are in doubles, shaders in floats. All that they take is relative to origin(), so that pictures are as exact
-/// 10,000 km from the world's origin as at it. A camera that goes on for kilometres makes set_lights() anew.
+/// Scenes are in doubles, shaders in floats. Shaders take positions relative to origin(), so that pictures 10,000 km
+/// from the world's origin are as exact as at it. A camera that moves for kilometres causes a new set_lights().
 class Renderer {
  public:
-  /// scene   has to outlive this
-  /// throws  gl::Unsupported where this OpenGL cannot hold the scene's light lists, or the path's light maps or the
-  ///         shadow maps would take more than 1 GiB, std::invalid_argument where a part is of a material that the scene
-  ///         lacks
+  /// scene   has to outlive this object
+  /// throws  gl::Unsupported where this OpenGL cannot hold the scene's light lists, or where the path's light maps or
+  ///         the shadow maps would take more than 1 GiB; std::invalid_argument where the scene lacks a part's material
   Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings);
   Renderer(const Renderer&) = delete;  // its parts refer to each other
   Renderer& operator=(const Renderer&) = delete;
 
-  /// Takes another size of the pictures.
+  /// Sets the size of the pictures.
   ///
   /// throws  gl::Unsupported where the driver has no framebuffer of that size
   void set_size(int width, int height);
-  /// Takes a change of the scene's objects, models and materials, of which those of names that it has had stay as they
-  /// are; set_lights() has to follow.
+  /// Takes a change of the scene's objects, models and materials, except that a material whose name has been used
+  /// before stays as it was. set_lights() has to follow.
   ///
-  /// throws  as the constructor
+  /// throws  like the constructor
   void set_objects() { surfaces_.set_objects(); }
   /// Takes a change of the scene's lights: solves and uploads them all.
   ///
-  /// throws  gl::Unsupported as the constructor
+  /// throws  gl::Unsupported like the constructor
   void set_lights();
   /// Takes a change of the scene's ambient light or moon; where the moon casts shadows, set_lights() has to follow. The
   /// first one compiles shaders anew, in which a driver may round the last bit of a sum otherwise.
@@ -70,46 +69,46 @@ class Renderer {
   /// left out; frames themselves are not exposed. An automatic exposure is that of a frame in the present fog, drawn
   /// for it as for the largest exposure. By airlight an exposure above 0 EV moves the lights' ends outwards.
   ///
-  /// returns  it; of an automatic one what has been chosen
+  /// returns  the exposure used
   Exposure set_exposure(const Exposure& exposure);
-  /// Lets draw() and set_exposure() end with Interrupted as soon as a function says that the frame is unwanted, which
-  /// asking delays a little. An empty one never does.
+  /// Makes draw() and set_exposure() throw Interrupted as soon as a function returns true. Polling it slows drawing a
+  /// little. An empty function never interrupts.
   void interrupt_when(std::function<bool()> is_unwanted) { is_unwanted_ = std::move(is_unwanted); }
   /// Draws a frame and waits for it.
   FrameCounts draw(LightPoints light_points = LightPoints::on) {
     return draw_for({exposure_, exposure_}, light_points);
   }
-  /// The same, but leaves out what makes less than a step at these exposures. Lights' ends stay those of the one set.
-  /// At kMaxExposure nothing is left out.
+  /// Draws a frame that leaves out what makes less than a step at these exposures; at kMaxExposure nothing is left out.
+  /// The lights' ends stay those of set_exposure().
   FrameCounts draw_for(const FrameExposures& exposures, LightPoints light_points = LightPoints::on) {
     return draw_stages(exposures, light_points, nullptr);
   }
-  /// Draws a frame as if the view had changed, stage by stage, and looks at it closely. Takes longer than draw().
+  /// Draws a frame stage by stage as if the view had changed, and measures it. Takes longer than draw().
   FrameStatistics draw_and_measure();
   Picture read() const { return framebuffer_.read(); }
-  /// Draws a frame of light without end, for a picture that is_cut_off(), and reads it.
+  /// Draws a frame in floats, for a picture that is_cut_off(), and reads it.
   ///
-  /// throws  gl::Unsupported where the driver has no framebuffer of floats of that size
+  /// throws  gl::Unsupported where the driver has no float framebuffer of that size
   Picture draw_in_floats();
 
   const scene::Scene& scene() const { return scene_; }
-  /// Of all positions in floats: those of a geometry buffer and of shadow maps, too.
+  /// The origin of all positions in floats, also in geometry buffers and shadow maps.
   const glm::dvec3& origin() const { return lights_.origin(); }
   const Atmosphere& atmosphere() const { return atmosphere_; }
   double exposure() const { return exposure_; }                ///< EV
-  double ends_exposure() const { return lights_.exposure(); }  ///< EV, for which lights' ends are chosen (threshold_of)
+  double ends_exposure() const { return lights_.exposure(); }  ///< EV for which lights' ends are chosen (threshold_of)
   const RenderSettings& settings() const { return settings_; }
   int width() const { return framebuffer_.width(); }
   int height() const { return framebuffer_.height(); }
   int samples() const { return framebuffer_.samples(); }  ///< a pixel: some drivers take more than asked for
-  /// Of Shadows::none null.
+  /// Null for Shadows::none.
   const ShadowMaps* shadows() const { return shadows_ ? &*shadows_ : nullptr; }
 
-  /// Draws the surfaces of a frame into a geometry buffer of the same size.
+  /// Draws a frame's surfaces, without panes, into a geometry buffer of the same size.
   void draw_geometry(const GeometryBuffer& geometry);
   bool has_panes() const { return surfaces_.has_panes(); }
-  /// Draws a layer of a frame's panes, which draw_geometry() leaves out: in each sample the pane that the frame draws
-  /// there after `layer` others, even one that a surface hides.
+  /// Draws a layer of a frame's panes: in each sample the pane that the frame draws after `layer` others, even if a
+  /// surface hides it.
   void draw_pane_geometry(const GeometryBuffer& geometry, int layer);
   /// The surfaces' materials, without their texels, by their numbers in a geometry buffer.
   std::vector<scene::Material> materials() const { return surfaces_.surfaces().materials(); }
@@ -118,8 +117,7 @@ class Renderer {
   View view() const;
   FrameView frame_view(const View& view, const FrameExposures& exposures) const;
   Passes passes() const { return settings_.path->has_several_passes() ? Passes::several : Passes::one; }
-  /// The parts of FogLighting::airlight: what is drawn, where rays end, and the airlight within and beyond the lights'
-  /// extents.
+  /// The parts of FogLighting::airlight: the lights drawn, where rays end, and the airlight within and beyond extents.
   struct Airlight {
     AirlightLights lights;
     FarAirlight far;
@@ -132,7 +130,7 @@ class Renderer {
   };
 
   void set_lights_for(double ends_exposure);
-  /// Sets the lights anew where the camera has left the surroundings of their origin.
+  /// Sets the lights again if the camera has left the surroundings of their origin.
   void follow_camera();
   void set_framebuffer(int width, int height, Passes passes);
   void begin_frame(const Framebuffer& framebuffer, const glm::vec3& background);
@@ -149,7 +147,7 @@ class Renderer {
   Atmosphere atmosphere_;
   std::function<bool()> is_unwanted_;
   double exposure_ = 0;
-  std::size_t fog_bytes_ = 0;  // uploaded by the last change of the fog
+  std::size_t fog_bytes_ = 0;  // uploaded at the last change of the fog
   Framebuffer framebuffer_;
   SceneLights lights_;
   gl::FogLightTables light_tables_;
@@ -159,7 +157,7 @@ class Renderer {
   SurfacePainter surfaces_;
   std::optional<ShadowMaps> shadows_;
   FramePlanner planner_;
-  std::optional<BufferTexture> light_list_;  // of the plan
+  std::optional<BufferTexture> light_list_;  // FramePlan::light_list
   SamplerStates sampler_states_;
   SkyPainter sky_;
   gl::Program light_point_program_;

@@ -14,11 +14,11 @@
 
 namespace litfog::render {
 
-/// The lights whose airlight frames draw within the lights' extents, and those of each tile of the picture, on the GPU.
-/// Needs a current GL context.
+/// Holds on the GPU the lights whose airlight frames draw within the lights' extents, and their list for each tile of
+/// the picture. Needs a current GL context.
 class AirlightLights {
  public:
-  /// Uploads them. Lists without entries upload nothing.
+  /// Uploads the lists. A list without entries uploads nothing.
   void set(const AirlightList& list, const AirlightTiles& tiles);
 
   /// The entries of each kind.
@@ -26,7 +26,7 @@ class AirlightLights {
   int size() const { return size_; }
   /// Lets a pass read the entries (shaders/airlight/airlight_entry.glsl).
   void bind_entries(PassTextures& textures) const;
-  /// Lets a pass read the tiles of a range, too (shaders/airlight/airlight_tiles.frag).
+  /// Also lets a pass read the tiles of a range (shaders/airlight/airlight_tiles.frag).
   void bind_tiles(const gl::Program& program, PassTextures& textures, std::size_t range) const;
 
  private:

@@ -17,25 +17,26 @@ inline constexpr int kCoarsestGrid = 8;  ///< pixels between texels of the coars
 
 /// Where a picture's rays can see the airlight of a light.
 struct AirlightEntry {
-  float light;  ///< of SceneLights
-  /// Metres from the light. What a ray shows of it from beyond is left out (airlight_list_test.cpp).
+  float light;  ///< index in SceneLights
+  /// Metres from the light, beyond which its airlight is left out (airlight_list_test.cpp).
   float reach;
-  /// Metres from the light where its airlight, about k / h at a distance h, bends so that a grid of all pixels may
-  /// miss an eighth of a step of the display. A grid of every g-th pixel may do so at g^(4/5) times that range.
+  /// Metres from the light, within which its airlight, about k / h at a distance h, bends so sharply that a grid of all
+  /// pixels may miss an eighth of a step of the display. For a grid of every g-th pixel this range is g^(4/5) times as
+  /// large.
   float bend_range;
-  float width;  ///< metres, within which its airlight is flat; 0 for a beam, unless seen along its axis
+  float width;  ///< metres from the light, within which its airlight is flat; 0 for a beam not seen along its axis
 };
 
-/// What lights that are drawn by one program have in common.
+/// Lights of one kind are drawn by one program.
 struct AirlightKind {
   int profile;              ///< FogLightInstance
-  bool has_shafts = false;  ///< cut out by shadows
-  bool has_knee = false;    ///< a stretch of full brightness: their attenuation's constant is below 1
+  bool has_shafts = false;  ///< shadows cut shafts into the airlight
+  bool has_knee = false;    ///< attenuation's constant below 1: full brightness up to a range
 
   auto operator<=>(const AirlightKind&) const = default;
 };
 
-/// The lights whose airlight a picture shows: those of a kind lie together.
+/// The lights whose airlight a picture shows, grouped by kind.
 struct AirlightList {
   struct Range {
     AirlightKind kind;
@@ -43,12 +44,12 @@ struct AirlightList {
   };
 
   std::vector<AirlightEntry> entries;
-  std::vector<LightBounds> bounds;  ///< of each entry: within its reach and its cone, if it has one
+  std::vector<LightBounds> bounds;  ///< one an entry: its reach, cut to its cone if it has one
   std::vector<Range> ranges;
 };
 
-/// What fog hides is left out: of all lights together at most kAirlightShare of a step of the display in any pixel, of
-/// each an equal part.
+/// Leaves out airlight that fog hides: at most kAirlightShare of a step of the display in any pixel for all lights
+/// together, an equal part for each.
 ///
 /// pixels_per_radian  of the picture, at its middle
 /// exposure           EV at which it is shown

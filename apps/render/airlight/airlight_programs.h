@@ -11,11 +11,11 @@
 
 namespace litfog::render {
 
-inline constexpr int kCookieProfile = int(LITFOG_PROFILE_COOKIE);  ///< of a light as shaders know it
+inline constexpr int kCookieProfile = int(LITFOG_PROFILE_COOKIE);  ///< profile of a light with a cookie, in shaders
 
-/// The programs of two shaders for lights of one kind in fog of one mode, that scatters evenly or not: the compiler
-/// leaves out what they do not need. Each is compiled when it is first asked for. The shaders include
-/// airlight_constants.glsl. Needs a current GL context.
+/// Compiles two shaders once for each kind of lights, fog mode and even or uneven scattering, when first asked for, so
+/// that the compiler drops what a kind does not need. The shaders include airlight_constants.glsl. Needs a current GL
+/// context.
 class AirlightPrograms {
  public:
   AirlightPrograms(const char* vertex_file, const char* fragment_file)
@@ -27,7 +27,7 @@ class AirlightPrograms {
  private:
   const char* vertex_file_;
   const char* fragment_file_;
-  std::map<std::tuple<FogMode, AirlightKind, bool>, gl::Program> programs_;  // bool: whether it scatters evenly
+  std::map<std::tuple<FogMode, AirlightKind, bool>, gl::Program> programs_;  // bool: whether the fog scatters evenly
 };
 
 }  // namespace litfog::render

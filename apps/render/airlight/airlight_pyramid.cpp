@@ -13,9 +13,9 @@
 namespace litfog::render {
 namespace {
 
-constexpr int kStripes = 16;                            // of a target, between which an interruption may come
+constexpr int kStripes = 16;                            // per target; interruptions are polled between them
 constexpr int kGridSteps[] = {kCoarsestGrid, 4, 2, 1};  // pixels
-constexpr double kMaxSpacing = 0.06;  // radians between a grid's texels: airlight is not known to be smoother
+constexpr double kMaxSpacing = 0.06;  // radians between a grid's texels, up to which airlight is known to be smooth
 constexpr GLint kMarked = AirlightTarget::kMarked;
 
 }  // namespace
@@ -73,8 +73,8 @@ void AirlightPyramid::fill(const Frame& frame, const Grid& grid, const Grid& coa
   glStencilOp(GL_KEEP, GL_KEEP, GL_KEEP);
 }
 
-/// Draws the lights of a grid at its texels that are not filled: at the first grid all that it has, at others those
-/// that the coarser one has.
+/// Draws lights at a grid's texels that are not filled: in the first grid all its lights, in others those of the
+/// coarser grid.
 void AirlightPyramid::draw_packed(const Frame& frame, const Grid& grid) {
   const AirlightBlocks blocks = packed_.pack(grid);
   // The first range replaces what is there: a clear would cost as much as it draws.
@@ -98,7 +98,7 @@ void AirlightPyramid::draw_packed(const Frame& frame, const Grid& grid) {
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
-/// Adds what the coarser grid leaves out of its lights at texels filled from it.
+/// Adds, at texels filled from the coarser grid, what that grid leaves out of its lights.
 void AirlightPyramid::draw_left_out(const Frame& frame, const Grid& grid) {
   glViewport(0, 0, grid.size.x, grid.size.y);
   glStencilFunc(GL_EQUAL, kMarked, 0xff);
@@ -120,9 +120,9 @@ void AirlightPyramid::draw_left_out(const Frame& frame, const Grid& grid) {
   glDisable(GL_BLEND);
 }
 
-/// Adds the lights that all coarser grids do without: cookies and shafts are too fine for them.
+/// Adds the lights that all coarser grids lack, because cookies and shafts are too fine for them.
 void AirlightPyramid::draw_whole(const Frame& frame, const Grid& grid) {
-  if (grid.step == frame.coarsest_step) return;  // which has its lights packed
+  if (grid.step == frame.coarsest_step) return;  // draw_packed() draws its lights
   const std::span<const AirlightList::Range> ranges = frame.inputs.lights.ranges();
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     if (grid.step != coarsest_step(ranges[i].kind, frame)) continue;
@@ -130,7 +130,7 @@ void AirlightPyramid::draw_whole(const Frame& frame, const Grid& grid) {
   }
 }
 
-/// Draws the lights of a range in blocks of the bound framebuffer's texels: adds them to what is there, or replaces it.
+/// Draws the lights of a range in blocks of the bound framebuffer's texels, adding to them or replacing them.
 void AirlightPyramid::draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const AirlightBlocks& blocks,
                                   bool adds) {
   const AirlightLights& lights = frame.inputs.lights;
@@ -153,7 +153,7 @@ void AirlightPyramid::draw_lights(const Frame& frame, const Grid& grid, std::siz
   glDisable(GL_BLEND);
 }
 
-/// Pixels between the texels of the first grid that draws lights of a kind.
+/// Pixels between texels of the first grid that draws lights of a kind.
 int AirlightPyramid::coarsest_step(const AirlightKind& kind, const Frame& frame) {
   const int smooth_step = kind.profile == kCookieProfile || kind.has_shafts ? 2 : kGridSteps[0];
   return std::min(smooth_step, frame.coarsest_step);

@@ -19,20 +19,20 @@
 
 namespace litfog::render {
 
-/// The airlight of lights within their extents, one pixel a texel. Needs a current GL context.
+/// Draws the airlight of lights within their extents, one texel a pixel. Needs a current GL context.
 ///
-/// Airlight mostly changes slowly over a picture. So all lights are first drawn at every eighth pixel of every eighth
-/// row (in small pictures at more), and then in finer and finer grids. A grid leaves out the part of a light's airlight
-/// that bends sharply, close to the light. A texel of a finer grid takes the mean of its neighbours in the one before
-/// where that is good enough (shaders/airlight/airlight_fill.frag), and only what they have left out is drawn. For the
-/// others all lights of their tile are drawn (AirlightTiles), at PackedTexels.
+/// Airlight mostly changes slowly over a picture. So all lights are first drawn into a grid of every eighth pixel of
+/// every eighth row (of more in small pictures), and then in finer and finer grids. A grid leaves out the part of a
+/// light's airlight that bends sharply, close to the light. Where it is accurate enough, a texel of a finer grid is the
+/// mean of its neighbours in the coarser grid (shaders/airlight/airlight_fill.frag), to which only the parts left out
+/// by the coarser grid are added. At all other texels, packed by PackedTexels, all lights of their tile are drawn
+/// (AirlightTiles).
 class AirlightPyramid {
  public:
-  /// What a picture's airlight depends on, beside the tables of the lights, the cookies and the shadow maps, which
-  /// every pass of a frame reads.
+  /// What a picture's airlight depends on, beside the light tables, cookies and shadow maps that every pass reads.
   struct Inputs {
     const AirlightLights& lights;
-    const SeenRanges& seen;  ///< where rays end; of the pictures' size
+    const SeenRanges& seen;  ///< where rays end, at the pictures' size
     const View& view;
     const Atmosphere& atmosphere;
     double exposure;  ///< EV at which the picture is shown: interpolation may err by an eighth of a step there
@@ -42,23 +42,23 @@ class AirlightPyramid {
   /// settings    of which the steps of shafts matter
   AirlightPyramid(const gl::FogLightBuffer& fog_lights, const RenderSettings& settings);
 
-  /// Takes another size of the pictures.
+  /// Sets the size of the pictures.
   ///
   /// throws  gl::Unsupported where the driver has no float framebuffer of that size
   void set_size(glm::ivec2 picture_size);
-  /// Draws the airlight of a picture: its texels are the pixels. After an interruption it draws no more.
+  /// Draws the airlight of a picture. Stops at an interruption.
   void draw(const Inputs& inputs, Interruption& interruption);
-  const gl::TextureName& airlight() const { return grids_.back().airlight; }  ///< rgb, that has been drawn
+  const gl::TextureName& airlight() const { return grids_.back().airlight; }  ///< rgb; a texel is a pixel
 
  private:
   struct Grid : AirlightTarget {
     int step;  // pixels between texels
   };
 
-  /// What the passes of a frame have in common.
+  /// State that the passes of a frame share.
   struct Frame {
     const Inputs& inputs;
-    int coarsest_step;  // of the grids that the field of view allows
+    int coarsest_step;  // pixels between texels of the coarsest grid that the field of view allows
     Interruption& interruption;
   };
 

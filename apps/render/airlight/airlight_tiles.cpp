@@ -14,10 +14,10 @@ namespace litfog::render {
 namespace {
 
 constexpr int kTile = 32;                // pixels a side, about
-constexpr std::uint32_t kMaxTiles = 32;  // a side: more cost more than shorter lists save
+constexpr std::uint32_t kMaxTiles = 32;  // a side: more tiles cost more than their shorter lists save
 constexpr double kNearest = 1e-5;        // metres
 
-/// What tiles of a size show.
+/// The view that tiles of a size show together.
 litfog::View tiled_view(const scene::Camera& camera, glm::ivec2 picture_size, glm::ivec2 size) {
   const scene::CameraAxes axes = scene::axes_of(camera);
   const double top = std::tan(double(camera.field_of_view) / 2);
@@ -34,7 +34,7 @@ litfog::View tiled_view(const scene::Camera& camera, glm::ivec2 picture_size, gl
           .farthest = kMaxPosition};
 }
 
-/// Of each tile the entries, in order.
+/// Adds each tile's entries, in order.
 void add_lists(AirlightTiles& tiles, std::span<const AirlightList::Range> ranges, std::span<const Cluster> clusters,
                std::span<const std::uint32_t> entries) {
   const auto first_entry = std::int32_t(2 * ranges.size() * clusters.size());

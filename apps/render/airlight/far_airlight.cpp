@@ -15,8 +15,8 @@ namespace litfog::render {
 namespace {
 
 constexpr double kApart = 0.03;  // radians between texels
-constexpr int kMaxRows = 120;    // and one more: kSlabs + 1 pictures of them fit into 4096
-constexpr int kSlabs = 32;       // of far_airlight.glsl, as is the next
+constexpr int kMaxRows = 120;    // and one more row, so that kSlabs + 1 pictures fit into 4096
+constexpr int kSlabs = 32;       // far_slabs and, below, slabs_at_once of far_airlight.glsl
 constexpr int kSlabsAtOnce = kSlabs / FarAirlightList::kSections;
 
 }  // namespace

@@ -18,9 +18,9 @@
 
 namespace litfog::render {
 
-/// The airlight of lights beyond their extents. That of one is faint, but without that of hundreds in view pictures
-/// were darker by tens of steps of the display. It varies slowly over a picture and along its rays, so that all lights
-/// are summed at once, in slabs of rays 0.03 radians apart (shaders/airlight/far_airlight.frag), between which pixels
+/// Draws the airlight of lights beyond their extents. One light's is faint, but hundreds in view brighten pictures by
+/// tens of steps of the display. This airlight varies slowly over a picture and along its rays, so that all lights are
+/// summed at once, in slabs of rays 0.03 radians apart (shaders/airlight/far_airlight.frag), between which pixels
 /// interpolate. Needs a current GL context.
 class FarAirlight {
  public:
@@ -28,15 +28,15 @@ class FarAirlight {
   explicit FarAirlight(const gl::FogLightBuffer& fog_lights)
       : fog_lights_(fog_lights), light_programs_("whole_picture.vert", "far_airlight.frag") {}
 
-  /// Uploads the lights that frames have from now on.
+  /// Uploads the lights of the next frames.
   void set_list(const FarAirlightList& list);
-  /// Sums it up for a frame. The lights and the cookies are bound to their units.
+  /// Sums the airlight for a frame. Lights and cookies must be bound to their units.
   ///
   /// throws  gl::Unsupported where the driver cannot draw into textures of floats
   void draw(glm::ivec2 picture_size, const View& view, const Atmosphere& atmosphere);
 
   bool is_empty() const { return depth_ == 0; }
-  /// Lets the program in use, one of shaders/far_airlight_at.glsl, look up what has been drawn.
+  /// Lets the program in use, one that includes far_airlight_at.glsl, look up what has been drawn.
   void bind(const gl::Program& program, PassTextures& textures) const;
 
  private:

@@ -12,27 +12,27 @@
 
 namespace litfog::render {
 
-/// The lights whose airlight beyond their extents a picture shows: those of one profile (FogLightInstance) lie
-/// together. A ray is cut into sections, of which those far from the eye need fewer lights.
+/// The lights whose airlight beyond their extents a picture shows, grouped by profile (FogLightInstance). A ray is cut
+/// into sections, and the farther from the eye a section lies, the fewer lights it needs.
 struct FarAirlightList {
   static constexpr int kSections = 4;
 
   struct Range {
     int profile;
     int first;
-    std::array<int, kSections> counts;  ///< of each section the first so many; never more than of the one before
+    std::array<int, kSections> counts;  ///< a section has the first counts[section] lights; never increases
   };
 
-  std::vector<std::int32_t> lights;  ///< of SceneLights
+  std::vector<std::int32_t> lights;  ///< indices in SceneLights
   std::vector<Range> ranges;
-  double depth = 0;  ///< metres from the eye, beyond which they add nothing that is visible; at most kSkyDistance
+  double depth = 0;  ///< metres from the eye, beyond which nothing visible is added; at most kSkyDistance
 
   /// Where a section begins, and where the last one ends: metres from the eye. Sections grow with the distance.
   double section_begin(int section) const { return depth * section * section / (kSections * kSections); }
 };
 
-/// Of what lights without shafts add beyond their extents, at most kFarShare of a step of the display is left out in
-/// any pixel. Lights that cut shafts end at their extents in the fog.
+/// Leaves out at most kFarShare of a step of the display in any pixel of what lights without shafts add beyond their
+/// extents. Lights that cut shafts end at their extents in the fog.
 ///
 /// exposure  EV at which the picture is shown
 /// casters   of each light: at least 0 if it cuts shafts; empty: none does

@@ -63,8 +63,8 @@ void PackedTexels::set_size(glm::ivec2 finest) {
   check_float_framebuffer();
 }
 
-// The blocks lie apart where the target has room: drivers split a framebuffer into large tiles, one per core, and a
-// coarse grid fills only one.
+// Blocks are spread over the target where it has room: drivers split a framebuffer into large tiles, one per core, and
+// a coarse grid alone would fill only one.
 AirlightBlocks PackedTexels::pack(const AirlightTarget& grid) {
   const glm::ivec2 count = blocks_over(grid.size), room = packed_.size / kBlock;
   const AirlightBlocks blocks{count, glm::max((room - 1) / glm::max(count - 1, 1), 1), packed_.size, true};

@@ -13,16 +13,16 @@ namespace litfog::render {
 struct AirlightTarget {
   glm::ivec2 size{0};
   gl::FramebufferName framebuffer;
-  gl::TextureName airlight;  ///< alpha: the opacity of the fog before what the texel sees, or kNotFilled
+  gl::TextureName airlight;  ///< alpha: opacity of the fog before the surface seen, or kNotFilled
   gl::TextureName gain;      ///< airlight per opacity of the fog; the finest grid has none
   gl::RenderbufferName stencil;
 
   /// The alpha of a texel that has no airlight yet (is_filled() in shaders/airlight/texel.glsl).
   static constexpr float kNotFilled = -1;
-  /// The stencil of a texel that has been marked; of others it is 0.
+  /// The stencil of a marked texel; all others have 0.
   static constexpr int kMarked = 1;
 
-  /// Makes textures and stencil of a size.
+  /// Creates textures and stencil of a size.
   ///
   /// throws  gl::Unsupported where the driver cannot draw into textures of floats of that size
   void set_size(glm::ivec2 new_size, bool has_gain);
@@ -31,35 +31,35 @@ struct AirlightTarget {
 /// Blocks of texels that are drawn as points (shaders/airlight/airlight_blocks.vert).
 struct AirlightBlocks {
   glm::ivec2 count;
-  glm::ivec2 stride;  ///< from one to the next, in blocks
-  glm::ivec2 target;  ///< texels
-  bool is_packed;     ///< the texels stand for others of a grid: PackedTexels
+  glm::ivec2 stride;  ///< from one block to the next, in blocks
+  glm::ivec2 target;  ///< size in texels
+  bool is_packed;     ///< by PackedTexels: the texels stand for texels elsewhere in a grid
 
   /// All texels of a target, each standing for itself.
   static AirlightBlocks all_of(const AirlightTarget& target);
 
-  /// Sets what a program of airlight_blocks.vert needs, and the viewport.
+  /// Sets the uniforms of airlight_blocks.vert, and the viewport.
   void set(const gl::Program& program) const;
 };
 
-/// The texels of a grid that are not filled, packed into a target of their own: drawn where they lie they would leave
+/// Packs the texels of a grid that are not filled into a target of their own. Drawn where they lie, they would leave
 /// most lanes of a processor idle. Needs a current GL context.
 class PackedTexels {
  public:
   PackedTexels();
 
-  /// Takes the size of the finest grid.
+  /// Sets the size of the finest grid.
   ///
   /// throws  gl::Unsupported where the driver cannot draw into textures of floats of that size
   void set_size(glm::ivec2 finest);
-  /// Packs the texels of a grid that are not filled, and marks what they use of target(). Vertices have no attributes;
-  /// the stencil test is on.
+  /// Packs the texels of a grid that are not filled, and marks those in use in target(). Needs a vertex array without
+  /// attributes bound and the stencil test enabled.
   AirlightBlocks pack(const AirlightTarget& grid);
   const AirlightTarget& target() const { return packed_; }
   /// Lets a pass over packed blocks read where the texels lie in their grid (shaders/airlight/airlight_tiles.frag).
   void bind_positions(PassTextures& textures) const;
   void bind_marks(PassTextures& textures) const { textures.bind("block_marks", marks_, GL_TEXTURE_RECTANGLE); }
-  /// Lets the pass of airlight_unpack.frag read what has been drawn into target().
+  /// Lets the pass of airlight_unpack.frag read target().
   void bind_packed(const gl::Program& program, PassTextures& textures, const AirlightBlocks& blocks) const;
 
  private:

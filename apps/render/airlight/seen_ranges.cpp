@@ -39,7 +39,7 @@ void SeenRanges::draw(const Framebuffer& framebuffer, const View& view) {
   program_.use();
   framebuffer.bind_depth(PassTextures(program_).unit("depths"));
   set_uniform(program_, "direction_from_clip", view.direction_from_clip);
-  set_uniform(program_, "far_plane", 0.0f);  // any plane: no depth is tested
+  set_uniform(program_, "far_plane", 0.0f);  // arbitrary, because no depth is tested
   set_uniform(program_, "eye", view.eye);
   set_uniform(program_, "forward", view.forward);
   set_uniform(program_, "near_plane", kNearPlane);

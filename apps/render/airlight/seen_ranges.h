@@ -17,11 +17,11 @@ class SeenRanges {
   /// samples  of each pixel
   explicit SeenRanges(int samples);
 
-  /// Takes another size of the pictures.
+  /// Sets the size of the pictures.
   ///
   /// throws  gl::Unsupported where the driver cannot draw into textures of floats of that size
   void set_size(glm::ivec2 size);
-  /// Reads the depths that have been drawn into a framebuffer.
+  /// Computes the ranges from a framebuffer's depths.
   void draw(const Framebuffer& framebuffer, const View& view);
   /// Lets a pass read the ranges (shaders/airlight/seen.glsl).
   void bind(PassTextures& textures) const { textures.bind("seen_ranges", ranges_, GL_TEXTURE_RECTANGLE); }

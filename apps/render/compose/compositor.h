@@ -11,21 +11,21 @@
 
 namespace litfog::render {
 
-/// The airlight that each pane draws before itself: it stands before what the pictures' airlight is summed for.
+/// The airlight that each pane draws before itself, because the picture's own is summed up to what lies behind panes.
 struct PaneAirlight {
   const Phase& phase;
   const AirlightLights& lights;
   const FarAirlight& far;
 };
 
-/// Sets what shaders/compose/pane.glsl reads, for the program in use.
+/// Sets the uniforms of shaders/compose/pane.glsl in the program in use.
 ///
 /// airlight  null: there is none
 void bind_pane_airlight(const gl::Program& program, const PaneAirlight* airlight);
 
-/// Composes a picture from what is seen through the fog, panes and airlight, as shaders/compose/compose.glsl states.
-/// Between begin_panes() and the end of a frame the framebuffer's alpha is the fraction of the picture behind all panes
-/// that is seen through them. Needs a current GL context.
+/// Composes a picture from surfaces in fog, panes and airlight, as shaders/compose/compose.glsl states. From
+/// begin_panes() to the end of a frame the framebuffer's alpha is the fraction of the light behind all panes that
+/// passes through them. Needs a current GL context.
 class Compositor {
  public:
   Compositor();
@@ -33,10 +33,10 @@ class Compositor {
   /// Sets how panes are blended over all that is in the bound framebuffer, even over points before them.
   static void begin_panes();
   static void end_panes();
-  /// Adds airlight to a framebuffer that has been resolved. Where panes have been drawn, they let a part of it through.
+  /// Adds airlight to a resolved framebuffer. Panes that have been drawn let a part of it through.
   ///
   /// airlight  within the lights' extents: AirlightPyramid::airlight()
-  /// far       beyond them
+  /// far       beyond the lights' extents
   void add_airlight(const Framebuffer& framebuffer, const gl::TextureName& airlight, const FarAirlight& far,
                     const SeenRanges& seen, bool has_panes) const;
 

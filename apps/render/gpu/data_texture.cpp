@@ -13,7 +13,7 @@
 namespace litfog::render {
 namespace {
 
-/// The bound texture of one level is read linearly between its texels, and beyond the outermost as at them.
+/// Sets linear filtering clamped at the edge for the bound texture, which has one level.
 void interpolate_within(GLenum target) {
   for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}, GLenum{GL_TEXTURE_WRAP_R}}) {
     glTexParameteri(target, wrap, GL_CLAMP_TO_EDGE);

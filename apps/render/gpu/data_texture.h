@@ -16,7 +16,7 @@ class LookupTexture {
  public:
   enum class Shape { line, square, volume, cube };
 
-  /// texels  size to the power of the shape's dimensions; a cube's faces +x -x +y -y +z -z
+  /// texels  size^dimensions values, or six faces of a cube: +x -x +y -y +z -z
   /// throws  gl::Unsupported where this OpenGL has no texture of that size
   LookupTexture(Shape shape, int size, const std::vector<std::uint16_t>& texels);
 
@@ -45,10 +45,10 @@ class BufferTexture {
  public:
   enum class Texel { float4, int1 };
 
-  /// The most texels that a buffer texture of this context may have.
+  /// The largest number of texels in a buffer texture of the current context.
   static std::size_t max_texels();
 
-  /// throws gl::Unsupported where that is less than the data's
+  /// throws gl::Unsupported where the data have more than max_texels()
   BufferTexture(const void* data, std::size_t bytes, Texel texel);
 
   void bind(unsigned unit) const;

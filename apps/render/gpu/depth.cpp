@@ -20,7 +20,7 @@ float far_plane_in_clip() { return has_clip_control() ? 0.0f : -1.0f; }
 
 glm::mat4 clip_from_view(const scene::Camera& camera, double aspect) {
   glm::mat4 clip_from_view = glm::infinitePerspective(camera.field_of_view, float(aspect), kNearPlane);
-  // Clip z, of which GL makes the depth kNearPlane / w: as it is, or by 0.5 z / w + 0.5.
+  // Clip z. GL computes the depth kNearPlane / w from it, as z / w or as 0.5 z / w + 0.5.
   const glm::vec4 z = has_clip_control() ? glm::vec4(0, 0, 0, kNearPlane) : glm::vec4(0, 0, 1, 2 * kNearPlane);
   for (int column = 0; column < 4; ++column) clip_from_view[column].z = z[column];
   return clip_from_view;

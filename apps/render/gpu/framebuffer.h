@@ -6,30 +6,30 @@
 
 namespace litfog::render {
 
-/// How often a surface is drawn at most.
+/// How many times a surface may be drawn.
 enum class Passes { one, several };
 
-/// What a renderer draws into: linear RGBA half floats and depth. Several passes draw into floats, because their sums
-/// round less, and have a stencil too.
+/// What a renderer draws into: linear RGBA half floats and depth. For several passes it has floats, whose sums round
+/// less, and also a stencil.
 class Framebuffer {
  public:
-  /// samples  a pixel: some drivers take more than that
+  /// samples  a pixel; some drivers take more
   /// throws   gl::Unsupported where the driver has no framebuffer of that size or fewer samples
   Framebuffer(int width, int height, Passes passes, int samples);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  int samples() const { return samples_; }  ///< that the driver took
+  int samples() const { return samples_; }  ///< a pixel, as the driver took them
   double aspect() const { return double(width_) / height_; }
-  /// Makes it the target of drawing.
+  /// Makes this the target of drawing.
   void bind() const;
-  /// Averages the samples. What is drawn from then on, until bind(), is drawn over their averages.
+  /// Averages the samples. Until the next bind(), drawing goes over the averages.
   void resolve() const;
   /// Makes the averages the target of drawing again.
   void bind_resolved() const;
-  /// Binds the samples' depths as a multisample texture, as a plain one if a pixel has one sample.
+  /// Binds the samples' depths as a multisample texture, or as a plain texture if a pixel has one sample.
   void bind_depth(unsigned unit) const;
-  /// Reads the averages back, from the last resolve() on.
+  /// Reads back the averages of the last resolve() and what was drawn over them.
   Picture read() const;
 
  private:
@@ -44,7 +44,7 @@ class Framebuffer {
   gl::RenderbufferName resolved_color_;
 };
 
-/// Throws gl::Unsupported where the driver cannot draw into the bound framebuffer, which is of textures of floats.
+/// Throws gl::Unsupported where the driver cannot draw into the bound framebuffer, whose textures are of floats.
 void check_float_framebuffer();
 
 }  // namespace litfog::render

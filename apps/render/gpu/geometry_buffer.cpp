@@ -74,7 +74,7 @@ void GeometryBuffer::begin_layer(int layer) const {
   glClear(GL_STENCIL_BUFFER_BIT);
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_EQUAL, layer, 0xff);
-  glStencilOp(GL_INCR, GL_INCR, GL_INCR);  // counts what is drawn
+  glStencilOp(GL_INCR, GL_INCR, GL_INCR);  // counts the fragments drawn
 }
 
 void GeometryBuffer::end() const {

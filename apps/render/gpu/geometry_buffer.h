@@ -9,24 +9,24 @@
 
 namespace litfog::render {
 
-/// One sample of a picture as rasterised: what its fragment is shaded from, and how deep it is. World space, metres.
+/// One rasterised sample of a picture: the inputs of its fragment's shading, and its depth. World space, metres.
 struct GeometrySample {
   glm::vec3 position;      ///< within the bounds of the surface drawn
-  float material;          ///< its number (Renderer::materials), whole; -1 where the sky is seen
-  glm::vec4 normal_texel;  ///< of the normal map (Material::normal), filtered by the GPU; [0, 1]
+  float material;          ///< index in Renderer::materials(); -1: sky
+  glm::vec4 normal_texel;  ///< normal map (Material::normal) as filtered by the GPU; [0, 1]
   glm::vec4 tangent;       ///< Vertex::tangent, interpolated
-  glm::vec3 normal;        ///< interpolated from the vertices, where it is a unit vector
+  glm::vec3 normal;        ///< interpolated from the vertices' unit normals
   float gloss;
   glm::vec3 emission;  ///< linear RGB
-  float opacity;       ///< of a pane the fraction of what is behind it that it hides, else 1
+  float opacity;       ///< fraction of the background that a pane hides; 1: no pane
   glm::vec3 albedo;    ///< linear RGB
-  float depth;         ///< the sample's own, not part of the fragment: render/gpu/depth.h
+  float depth;         ///< the sample's own (render/gpu/depth.h), not the fragment's
 
   bool is_of_same_fragment(const GeometrySample& other) const;
 };
 
-/// The scene's surfaces as the GPU rasterises them: floats for each sample, which can be read back. With as many
-/// samples a pixel as a Framebuffer's, the edges of surfaces cover the same samples.
+/// The scene's surfaces as the GPU rasterises them: floats for each sample, which can be read back. With a
+/// Framebuffer's number of samples a pixel, edges of surfaces cover the same samples as there.
 class GeometryBuffer {
  public:
   /// throws gl::Unsupported where the driver has no float framebuffer of that size or fewer samples
@@ -35,13 +35,13 @@ class GeometryBuffer {
   int width() const { return width_; }
   int height() const { return height_; }
   int samples() const { return samples_; }
-  /// Makes it the target of drawing, and empty: sky everywhere.
+  /// Makes this the target of drawing and clears it: sky everywhere.
   void begin() const;
-  /// The same for a layer, below kMaxLayers: what is drawn in a sample after `layer` others, at any depth.
+  /// Begins a layer, below kMaxLayers: in each sample it keeps what is drawn after `layer` others, at any depth.
   void begin_layer(int layer) const;
-  /// Has to be called when all is drawn.
+  /// Must be called after drawing.
   void end() const;
-  /// Rows of samples, the picture's top row being row 0: all of a pixel's samples, then the next pixel's.
+  /// Rows of samples, from the picture's top row 0: all samples of a pixel, then of the next pixel.
   std::vector<GeometrySample> read_rows(int first, int count) const;
 
   static constexpr int kMaxRows = 64;  ///< at a time
@@ -59,7 +59,7 @@ class GeometryBuffer {
   gl::TextureName textures_[kTargets];
   gl::TextureName drawn_depth_;
   gl::RenderbufferName read_color_;   // a target's rows
-  gl::VertexArrayName vertex_array_;  // of no attributes
+  gl::VertexArrayName vertex_array_;  // without attributes
 };
 
 }  // namespace litfog::render

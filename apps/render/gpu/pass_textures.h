@@ -8,8 +8,8 @@
 
 namespace litfog::render {
 
-/// Gives the textures that only one pass reads the units from kPassUnit on, and tells the pass's program, which is in
-/// use. A sampler that the compiler dropped takes a unit all the same.
+/// Assigns the units from kPassUnit on to textures that only one pass reads, and sets the samplers of the pass's
+/// program, which must be in use. A sampler that the compiler dropped takes a unit all the same.
 class PassTextures {
  public:
   explicit PassTextures(const gl::Program& program) : program_(program) {}

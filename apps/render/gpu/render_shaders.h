@@ -11,7 +11,7 @@ namespace litfog::render {
 /// The files of apps/render/shaders, embedded.
 std::span<const gl::ShaderSource> render_shaders();
 
-/// The same for a scene with or without cookies, with or without the shadows of lamps.
+/// render_shaders() for a scene with or without cookies and lamp shadows.
 inline std::vector<gl::ShaderSource> scene_shaders(bool has_cookies, bool has_shadows = false) {
   std::vector<gl::ShaderSource> files;
   if (has_shadows) files.push_back({"shadow.glsl", "#include \"mapped_shadow.glsl\"\n"});

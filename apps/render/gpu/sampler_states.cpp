@@ -12,7 +12,7 @@ namespace litfog::render {
 
 SamplerStates::SamplerStates()
     : program_("whole_picture.vert", "all_samplers.frag", render_shaders()), texture_(glm::vec4(0)) {
-  constexpr int kSamplers = 16;  // as many as OpenGL 3.3 promises
+  constexpr int kSamplers = 16;  // the number that OpenGL 3.3 guarantees
   const std::vector<GLint> units(kSamplers, GLint(kUploadUnit));
   program_.use();
   glUniform1iv(program_.uniform("maps"), kSamplers, units.data());
@@ -25,7 +25,7 @@ void SamplerStates::set(const Framebuffer& framebuffer) const {
   glBindVertexArray(no_vertices_.id());
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
   glDisable(GL_PROGRAM_POINT_SIZE);
-  glDrawArrays(GL_POINTS, 0, 1);  // in a corner, to no effect
+  glDrawArrays(GL_POINTS, 0, 1);  // one point, to no effect
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 

@@ -8,15 +8,14 @@
 
 namespace litfog::render {
 
-/// A state of its own for each sampler of fragment shaders. Mesa gives the sampler of a buffer texture no state, but
-/// leaves that of an earlier draw, and its software rasteriser compiles a shader anew for each that it meets. Needs a
-/// current GL context.
+/// Gives each sampler of fragment shaders a fixed state. Mesa does not set the state of a buffer texture's sampler but
+/// leaves that of an earlier draw, and its software rasteriser compiles a shader anew for each state that it meets.
+/// Needs a current GL context.
 class SamplerStates {
  public:
   SamplerStates();
 
-  /// Sets all of them, by a draw of nothing into a framebuffer; depth test and stencil test are off. Changes what is
-  /// bound.
+  /// Sets all states by an empty draw into a framebuffer. Depth test and stencil test must be off. Changes bindings.
   void set(const Framebuffer& framebuffer) const;
 
  private:

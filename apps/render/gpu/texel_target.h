@@ -10,7 +10,7 @@
 
 namespace litfog::render {
 
-/// The state of passes that draw texels: no attributes of vertices, no test of depths, no culling.
+/// The state of passes that draw texels: no vertex attributes, no depth test, no culling.
 class TexelPass {
  public:
   void begin() const {
@@ -23,8 +23,7 @@ class TexelPass {
   gl::VertexArrayName vertices_;
 };
 
-/// Makes a texture of one level, without filtering, the bound framebuffer's. It is a rectangle, which
-/// shaders/airlight/texel.glsl reads.
+/// Attaches a rectangle texture without filtering to the bound framebuffer. shaders/airlight/texel.glsl reads it.
 inline void attach_texels(GLenum attachment, const gl::TextureName& texture, glm::ivec2 size, GLint format) {
   bind_texture(kUploadUnit, texture, GL_TEXTURE_RECTANGLE);
   const bool is_integer = format == GL_RGBA32UI;

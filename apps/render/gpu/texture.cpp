@@ -50,7 +50,7 @@ Texture::Texture(const scene::Texels& texels, Encoding encoding) {
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, wrap_of(sampling.wrap_u));
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, wrap_of(sampling.wrap_v));
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER,
-                  filter_of(sampling.minified, sampling.mipmaps));  // no anisotropy: Mesa would take minutes
+                  filter_of(sampling.minified, sampling.mipmaps));  // no anisotropic filtering: Mesa would take minutes
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, filter_of(sampling.magnified));
 }
 

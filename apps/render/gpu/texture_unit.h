@@ -7,15 +7,15 @@
 
 namespace litfog::render {
 
-/// The texture units of what many passes of a frame read.
+/// The units of textures that several passes of a frame read.
 enum TextureUnit : unsigned {
   kAlbedoUnit,
   kNormalUnit,
   kKindBufferUnit,
   kInstanceBufferUnit,
   kLightListUnit,
-  kRangeMapUnit,     // a light's attenuation, or the squares of x and y
-  kDistanceMapUnit,  // q of the pair, or the square of z
+  kRangeMapUnit,     // attenuation, or x^2 + y^2
+  kDistanceMapUnit,  // q of the 2-D pair, or z^2
   kConeMapUnit,
   kCookieUnit,
   kCookieConeUnit,
@@ -24,11 +24,11 @@ enum TextureUnit : unsigned {
   kCasterOfLightUnit,
   kEmissionUnit,
   kSecondUnit,
-  kUploadUnit,  // no picture's sampler has it: textures are filled there, so that none that is bound is lost
-  kPassUnit,    // the first of those whose textures each pass binds for itself (PassTextures)
+  kUploadUnit,  // no sampler reads it: textures are filled here, so that no other binding is lost
+  kPassUnit,    // the first unit of textures that only one pass reads (PassTextures)
 };
 
-inline constexpr unsigned kFogLightBinding = 0;  ///< of the FogLightBlock
+inline constexpr unsigned kFogLightBinding = 0;  ///< uniform buffer binding of FogLightBlock
 
 /// Makes a unit the active one and binds a texture to it.
 inline void bind_texture(unsigned unit, const gl::TextureName& texture, GLenum target = GL_TEXTURE_2D) {

@@ -30,11 +30,11 @@ inline void set_uniform(const gl::Program& program, const char* name, const glm:
 inline void set_uniform(const gl::Program& program, const char* name, float value) {
   glUniform1f(program.uniform(name), value);
 }
-/// Of a bool: 0 or 1.
+/// A bool is 0 or 1.
 inline void set_uniform(const gl::Program& program, const char* name, int value) {
   glUniform1i(program.uniform(name), value);
 }
-/// Of a sampler: its texture unit.
+/// A sampler's value is its texture unit.
 inline void set_uniform(const gl::Program& program, const char* name, unsigned value) {
   glUniform1i(program.uniform(name), GLint(value));
 }

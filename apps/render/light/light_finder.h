@@ -25,7 +25,7 @@ class LightFinder {
 
   /// Indices of the lights that can reach a box, in order.
   std::vector<std::int32_t> reaching(const scene::Bounds& box) const;
-  /// The same of some of the lights.
+  /// Indices of those candidates that can reach a box, in order.
   std::vector<std::int32_t> reaching(const scene::Bounds& box, std::span<const std::int32_t> candidates) const;
 
  private:
@@ -36,7 +36,7 @@ class LightFinder {
 
   std::span<const PlacedLight> lights_;
   std::span<const double> extents_;
-  std::vector<Box> groups_;  // what each group of lights can reach at most
+  std::vector<Box> groups_;  // what each group of lights can reach
 };
 
 }  // namespace litfog::render

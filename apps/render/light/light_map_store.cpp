@@ -16,7 +16,7 @@ namespace {
 
 using Shape = LookupTexture::Shape;
 
-constexpr std::size_t kMaxTexels = std::size_t{1} << 29;  // of two bytes: 1 GiB
+constexpr std::size_t kMaxTexels = std::size_t{1} << 29;  // 1 GiB at two bytes a texel
 
 std::size_t square(int side) { return std::size_t(side) * std::size_t(side); }
 
@@ -84,7 +84,7 @@ int LightMapStore::range_side() const { return is_volume() ? size_ : pair_size(s
 /// A point light's map is white.
 int LightMapStore::cone_side(const Cone& cone) const { return cone.is_point_light() ? 1 : size_; }
 
-/// Frazier's spot has the same texels at every angle. Its own is 45 degrees, at which the scale is 1.
+/// Frazier's spot has the same texels at every angle, here those of 45 degrees, where the scale is 1.
 Cone LightMapStore::stored_cone(const Cone& cone) const {
   const bool is_disc = cone_coverage_ == ConeMaps::one_disc && is_scaled(cone, cone_coverage_);
   return is_disc ? Cone::cosine(std::numbers::pi / 4, 0) : cone;

@@ -14,21 +14,21 @@
 
 namespace litfog::render {
 
-/// The light maps of a path on the GPU, each made once for all lights that agree in its parameters (Steven Hales 2004,
+/// The light maps of a path on the GPU. Lights that agree in a map's parameters share the map (Steven Hales 2004,
 /// "Realtime Pixel Lighting Using Fragment Programs", section "Multiple Light Sources"). Needs a current GL context.
 class LightMapStore {
  public:
-  /// settings.map_size  texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair has a volume's
-  ///                    texels
-  /// throws  gl::Unsupported where this OpenGL has no textures of that size, or where the maps of all shapes of lights
-  ///         would take more than 1 GiB
+  /// settings.map_size  texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair together has as
+  ///                    many texels as a 3-D map
+  /// throws  gl::Unsupported where this OpenGL has no textures of that size, or where all maps together would take more
+  ///         than 1 GiB
   LightMapStore(const scene::Scene& scene, const SceneLights& lights, const RenderSettings& settings);
 
-  /// One number a light: lights of the same number share their maps. Empty where the path has no maps.
+  /// One number a light; lights with the same number share their maps. Empty where the path has no maps.
   std::span<const int> kinds() const { return kinds_; }
   /// Turns vectors from the light into coordinates of its cube map.
   const glm::mat3& cone_from_world(std::size_t light) const { return cones_from_world_[light]; }
-  /// Binds the maps of such a number.
+  /// Binds the maps of a number from kinds().
   void bind(int kind) const;
 
  private:
@@ -39,7 +39,7 @@ class LightMapStore {
     friend bool operator==(const Maps&, const Maps&) = default;
   };
 
-  /// Before the first map is made.
+  /// Throws gl::Unsupported if all maps together would take too much memory.
   void expect_room(const SceneLights& lights) const;
   bool is_volume() const { return set_ == LightMapSet::volume; }
   int range_side() const;
@@ -56,14 +56,14 @@ class LightMapStore {
   std::map<RangeProfile, LookupTexture> range_maps_;
   std::deque<std::pair<Cone, LookupTexture>> cone_maps_;
   std::map<std::size_t, LookupTexture> cookie_maps_;
-  std::optional<LookupTexture> squares_;   // of x and y
-  std::optional<LookupTexture> distance_;  // q, or the square of z
+  std::optional<LookupTexture> squares_;   // x^2 + y^2
+  std::optional<LookupTexture> distance_;  // q, or z^2
   std::vector<Maps> maps_;
-  std::vector<int> kinds_;  // in maps_, one a light
+  std::vector<int> kinds_;  // index in maps_, one a light
   std::vector<glm::mat3> cones_from_world_;
 };
 
-/// All cookies in one array, each as large as the largest: the layers of cube_cookie.glsl.
+/// All cookies in one array texture, each scaled to the size of the largest: the layers of cube_cookie.glsl.
 ///
 /// throws  gl::Unsupported if the driver's layer or size limit is exceeded
 LayeredTexture upload_cookies(const std::vector<Cookie>& cookies);

@@ -12,7 +12,7 @@ namespace litfog::render {
 
 LightSelection select_lights(const SceneLights& lights, std::span<const double> ranges, std::vector<std::int32_t> local,
                              const scene::Bounds& bounds) {
-  constexpr double kFarthest = std::numeric_limits<double>::infinity();  // fog is lit as far as it is seen
+  constexpr double kFarthest = std::numeric_limits<double>::infinity();  // lit fog is seen at any range
   LightSelection selection{.surface = std::move(local), .is_fog_lit = false};
   for (std::size_t i = lights.local_count(); i < lights.size(); ++i) {
     const PlacedLight& light = lights.lights()[i];

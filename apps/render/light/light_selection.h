@@ -13,31 +13,31 @@ namespace litfog::render {
 
 /// The lights that can reach a surface, by their indices in SceneLights.
 struct LightSelection {
-  std::vector<std::int32_t> surface;  ///< the local ones, then the carried ones
-  /// Whether a carried light's cone meets the surface. Only then is the fog before it lit by carried lights, and then
-  /// by all that shine: each number of lights needs its own shader.
+  std::vector<std::int32_t> surface;  ///< local lights, then carried lights
+  /// Whether a carried light's cone meets the surface. If so, all carried lights that shine light the fog before the
+  /// surface, because each number of lights needs its own shader; if not, none does.
   bool is_fog_lit = false;
 };
 
-/// ranges  metres, one a light: how far it lights surfaces
+/// ranges  metres, one a light: how far the light reaches surfaces
 /// local   the local lights that can reach the surface
-/// bounds  the surface's, world space
+/// bounds  of the surface, in world space
 LightSelection select_lights(const SceneLights& lights, std::span<const double> ranges, std::vector<std::int32_t> local,
                              const scene::Bounds& bounds);
 
-/// The carried lights that light the fog by their intensity; without skipping all carried lights.
+/// The carried lights that light the fog by their intensity, or all carried lights without skipping.
 std::vector<std::int32_t> fog_lights(const SceneLights& lights, Skipping skipping);
 
-/// Makes lights that share their maps adjacent.
+/// Reorders lights so that those with shared maps are adjacent.
 ///
-/// map_kinds  LightMapStore::kinds, empty where a path has no maps
+/// map_kinds  LightMapStore::kinds(), empty where a path has no maps
 std::vector<std::int32_t> grouped_by_maps(std::span<const std::int32_t> lights, std::span<const int> map_kinds);
 
-/// The lights of a pass whose lights bring their fog (LightFeed::bring_fog): those of the surface and those of the fog.
+/// The lights of a pass with LightFeed::bring_fog: those of the surface and those of the fog.
 std::vector<std::int32_t> with_fog_lights(std::span<const std::int32_t> lights,
                                           std::span<const std::int32_t> fog_lights, std::span<const int> map_kinds);
 
-/// How many of the first lights make a batch: at most `most`, and all share their maps.
+/// How many of the first lights make a batch: at most `most`, all with shared maps.
 std::size_t batch_length(std::span<const std::int32_t> lights, std::size_t most, std::span<const int> map_kinds);
 
 }  // namespace litfog::render

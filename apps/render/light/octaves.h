@@ -8,12 +8,12 @@
 
 namespace litfog::render {
 
-/// Sums of light by octaves: those of the dimmest octaves that stay below a budget are left out.
+/// Sums light by octaves of brightness, to leave out the dimmest octaves up to a budget.
 class Octaves {
  public:
   void add(double light) { sums_[octave_of(light)] += light; }
 
-  /// The light below which all together is at most the budget.
+  /// The largest limit, a power of 2, below which all light together is at most the budget.
   double least_kept(double budget) const {
     double sum = 0;
     std::size_t octave = 0;

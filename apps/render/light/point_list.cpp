@@ -11,7 +11,7 @@
 namespace litfog::render {
 namespace {
 
-/// The most that a light's point adds to a pixel.
+/// Upper bound of what a light's point adds to a pixel.
 double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, const glm::dvec3& to_eye) {
   const PlacedLight& placed = lights.lights()[i];
   const Light& light = placed.light;
@@ -28,7 +28,7 @@ double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, c
 
 PointList list_points(const SceneLights& lights, const Fog& fog, const glm::dvec3& eye, const Frustum& frustum,
                       double budget) {
-  constexpr float kMargin = 1;  // metres, more than a point is moved towards the eye
+  constexpr float kMargin = 1;  // metres, more than a point is ever moved towards the eye
   struct Point {
     std::int32_t light;
     double largest;
@@ -59,8 +59,8 @@ PointList list_points(const SceneLights& lights, const Fog& fog, const glm::dvec
 }
 
 double point_depth_factor(double field_of_view, int height) {
-  constexpr double kMax = kPointRadii * kPointRadius * kMaxGlare / kPointPictureHeight;
-  const double size = std::max(kMax, 2.0 / height);  // of the picture's; no point is below two pixels
+  constexpr double kMaxSize = kPointRadii * kPointRadius * kMaxGlare / kPointPictureHeight;
+  const double size = std::max(kMaxSize, 2.0 / height);  // in picture heights; a point has at least two pixels
   return 1 + size * std::tan(field_of_view / 2);
 }
 

@@ -13,14 +13,14 @@ namespace litfog::render {
 
 // How a light that is seen from afar is drawn as a point: shaders/light_point.vert. Chosen by eye.
 inline constexpr float kFullBrightness = 1 / 2000.f;  ///< attenuation at which a point has its full brightness: at
-                                                      ///< night an eye sees a light long before a surface lit by it
-inline constexpr float kBrightestPoint = 1.5f;        ///< beyond full brightness, so that its core is white
-inline constexpr float kHaloBrightness = 0.25f;       ///< in the middle, where the core has 1
-inline constexpr float kPointPictureHeight = 720;     ///< pixels: of the picture that the next is for
-inline constexpr float kPointRadius = 1.3f;           ///< pixels of that picture, at full brightness
-inline constexpr float kMaxGlare = 8;                 ///< times that radius
-inline constexpr float kMaxWithoutGlare = 1.5f;       ///< likewise
-inline constexpr float kPointRadii = 5;               ///< size of a point in radii: beyond 2.5 nothing of it is left
+///< night an eye sees a light long before a surface lit by it
+inline constexpr float kBrightestPoint = 1.5f;     ///< limit of a point's brightness, so that its core is white
+inline constexpr float kHaloBrightness = 0.25f;    ///< in the middle, where the core has 1
+inline constexpr float kPointPictureHeight = 720;  ///< pixels: picture height at which kPointRadius holds
+inline constexpr float kPointRadius = 1.3f;        ///< pixels, at full brightness
+inline constexpr float kMaxGlare = 8;              ///< largest radius with glare, in kPointRadius
+inline constexpr float kMaxWithoutGlare = 1.5f;    ///< largest radius without glare, in kPointRadius
+inline constexpr float kPointRadii = 5;            ///< size of a point in radii: beyond 2.5 nothing of it is left
 
 /// The local lights whose points a frame draws.
 struct PointList {
@@ -30,17 +30,17 @@ struct PointList {
   std::size_t hidden = 0;
 };
 
-/// Leaves out lights that are outside the view and those whose points together add less than a budget to any pixel.
-/// All points may lie over each other. A point is at most 1 in its core and kHaloBrightness in its halo, times its
-/// brightness, in which a cookie counts as 1.
+/// Leaves out lights outside the view, and lights whose points together add less than a budget to any pixel even if all
+/// lie over each other. A point is at most its brightness times 1 in its core and times kHaloBrightness in its halo. A
+/// cookie counts as 1 in the brightness.
 ///
-/// budget  linear
+/// budget  linear light
 PointList list_points(const SceneLights& lights, const Fog& fog, const glm::dvec3& eye, const Frustum& frustum,
                       double budget);
 
-/// A surface hides no part of a point that is nearer by this factor. All of a point has the depth of its middle: its
-/// range times the cosine between its ray and the camera's axis. Within a point that spans h to either side, as a
-/// tangent, the cosine changes by a factor of at most 1 + h.
+/// A surface hides no part of a point that is nearer by this factor. All of a point is drawn at the depth of its
+/// middle: the range times the cosine between its ray and the camera's axis. Within a point that spans h to either
+/// side, as a tangent, the cosine changes by a factor of at most 1 + h.
 ///
 /// field_of_view  vertical, radians
 /// height         pixels

@@ -10,7 +10,7 @@
 namespace litfog::render {
 namespace {
 
-constexpr double kSkipsNothing = 0;  // in 1/255: the reference that pictures are compared with has every light
+constexpr double kSkipsNothing = 0;  // in 1/255: the reference has every light
 
 glm::vec4 cookie_cone(const PlacedLight& light, const scene::CookieUse& use) {
   const glm::dvec3 up = glm::transpose(scene::cookie_from_world(light.direction, use.roll))[1];

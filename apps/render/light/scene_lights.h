@@ -13,49 +13,49 @@
 
 namespace litfog::render {
 
-/// Where a light ends: at its own threshold or, lit by airlight, at airlight_threshold(). On a path of the radial range
-/// law always at its own: that law falls to 0 there, and is brighter everywhere the farther off the end is.
+/// The attenuation at which a light ends: its own threshold or, by airlight, airlight_threshold(). On paths with the
+/// radial range law always its own: that law falls to 0 at the end, and is brighter everywhere the farther off the end
+/// is.
 ///
-/// settings  of which the path and the fog's lighting matter
-/// exposure  EV at which the picture is shown; below 0 ends are those of 0 EV
+/// settings  only path and fog_lighting are read
+/// exposure  EV at which the picture is shown; taken as 0 if below
 double threshold_of(const Light& light, const RenderSettings& settings, double exposure = 0);
 
-/// Whether lights light the fog beyond their ends, too: hundreds of tails that are cut off, each too faint to be seen,
-/// would add up.
+/// Whether lights light the fog beyond their ends. Hundreds of cut-off tails, each too faint to be seen, would add up.
 bool lights_fog_beyond_end(const RenderSettings& settings);
 
-/// Whether they light surfaces beyond their ends likewise, as far as SurfaceList::range_of() says. Paths that look
-/// lights up end where their maps do, and those that light vertices are farther from the formula than tails are bright.
+/// Whether lights light surfaces beyond their ends, up to SurfaceList::range_of(). On paths with light maps lights end
+/// where the maps do, and paths that light vertices are farther from the formula than the tails are bright.
 bool lights_surfaces_beyond_end(const RenderSettings& settings);
 
-/// A light's cone as a renderer draws it: its own, but for paths whose maps hold another (mapped_cone).
+/// A light's cone as a renderer draws it: its own, except on paths whose maps hold another (mapped_cone).
 Cone drawn_cone(const Cone& cone, const RenderSettings& settings);
 
-/// A light's position as seen from an origin. One on the other side of the world, farther away than the library takes
-/// lights, is as far away in its direction as can be.
+/// A light's position relative to an origin. A light farther away than the library takes lights is moved, in its
+/// direction, to the largest distance allowed.
 glm::dvec3 placed_relative_to(const glm::dvec3& origin, const PlacedLight& light);
 
-/// A light for shaders that take it as uniforms: vec4s, as shaders/light_batch.glsl counts them.
+/// A light for shaders that take it as uniforms: vec4s in the order of shaders/light_batch.glsl.
 struct PackedLight {
   FogLightKind kind;
   FogLightInstance instance;
 };
 inline constexpr std::size_t kPackedVectors = sizeof(PackedLight) / sizeof(glm::vec4);
 
-/// The lights of a scene as the renderer takes them: first the local lights, then those that the eye's vehicle carries,
-/// which light the fog too. Lights that are off are left out: black ones, and local ones of extent 0, which light
-/// nothing and have no visible point. Their positions are relative to an origin near the scene's camera, from which
-/// floats measure them and all that they light.
+/// The lights of a scene as the renderer takes them: local lights first, then carried lights (those of the eye's
+/// vehicle, which also light the fog). Lights that are off are left out: black ones, and local ones of extent 0, which
+/// light nothing and have no visible point. Positions are relative to an origin near the scene's camera, so that floats
+/// are precise around it.
 class SceneLights {
  public:
-  /// scene     has to outlive this
-  /// settings  of which the path and the fog's lighting say whether carried lights light the fog by their intensity,
-  ///           and where lights end
+  /// scene     has to outlive this object
+  /// settings  path and fog_lighting decide whether carried lights light the fog by their intensity, and where lights
+  ///           end
   /// exposure  EV at which the picture is shown (threshold_of)
   SceneLights(const scene::Scene& scene, const RenderSettings& settings, double exposure = 0);
 
   const glm::dvec3& origin() const { return origin_; }
-  double exposure() const { return exposure_; }  ///< EV, for which ends are chosen
+  double exposure() const { return exposure_; }  ///< EV for which the lights' ends were chosen
   std::size_t size() const { return lights_.size(); }
   std::size_t local_count() const { return local_count_; }
   std::size_t carried_count() const { return size() - local_count_; }
@@ -69,17 +69,17 @@ class SceneLights {
   /// A light's index in Scene::lights.
   std::size_t scene_light(std::size_t light) const { return scene_lights_[light]; }
 
-  /// Where a light points as seen from its vehicle, or from the world's origin, which looks along -Z.
+  /// Where a light points as seen from its vehicle, or from the world's origin looking along -Z.
   const scene::Mount& mount(std::size_t light) const { return mounts_[light]; }
 
-  /// Takes a change of the fog. Returns what has changed of the tables, good until the next call.
+  /// Changes the fog. Returns the changed ranges of the tables, valid until the next call.
   FogLightChanges set_fog(const Fog& fog) { return updater_.set_fog(fog); }
   /// The tables that shaders read: instance i is light i.
   std::span<const FogLightKind> kinds() const { return updater_.kinds(); }
   std::span<const FogLightInstance> instances() const { return instances_; }
-  /// Of an instance.
+  /// The light of an instance.
   PackedLight packed(std::size_t index) const;
-  /// A cookie and the cookie's y axis in world space, for each light that has one: color.w of its instance is the index
+  /// For each light with a cookie, the cookie and its y axis in world space. The instance's color.w is the index
   /// (cube_cookie.glsl).
   std::span<const glm::vec4> cookie_cones() const { return cookie_cones_; }
 

@@ -5,17 +5,17 @@
 
 namespace litfog::render {
 
-/// How a frame's sky is drawn.
+/// How a frame draws the sky.
 enum class SkyDrawing {
   sky,         ///< through the fog
   fog,         ///< as fog alone, lit by carried lights, because fog hides the sky
   background,  ///< not at all: fog of one colour hides it
 };
 
-/// What a frame drew, and what it left out for which reason.
+/// What a frame drew, and what it left out for what reason.
 struct FrameCounts {
   std::size_t chunks_drawn = 0;
-  std::size_t chunks_as_fog = 0;  ///< hidden by fog, but drawn as fog alone for what is seen before and behind them
+  std::size_t chunks_as_fog = 0;  ///< hidden by fog, but drawn as fog alone: they hide what is behind them
   std::size_t chunks_outside_view = 0;
   std::size_t chunks_hidden = 0;  ///< by fog, and not drawn
   // Pairs of a drawn chunk and a light that is neither off nor at extent 0.
@@ -31,35 +31,35 @@ struct FrameCounts {
   std::size_t airlights_invisible = 0;  ///< hidden by fog, or without fog to light
   std::size_t shadow_maps_drawn = 0;    ///< all in the first frame, later the moon's where the view has changed
   SkyDrawing sky = SkyDrawing::sky;
-  std::size_t bytes_uploaded = 0;  ///< lists of lights, where the view has changed, and what each draw is passed
+  std::size_t bytes_uploaded = 0;  ///< light lists, where the view has changed, and uniforms of draws
 };
 
 /// A scene's lights by what a frame makes of them.
 struct LightCounts {
   std::size_t off = 0;           ///< black, or not carried and of extent 0
   std::size_t drawn = 0;         ///< on a surface, as a point or as airlight
-  std::size_t hidden = 0;        ///< by fog or distance, all that it reaches in view
-  std::size_t outside_view = 0;  ///< as is all that it reaches
-  std::size_t out_of_reach = 0;  ///< outside the view, and of all surfaces
+  std::size_t hidden = 0;        ///< by fog or distance, with everything in view that they reach
+  std::size_t outside_view = 0;  ///< with everything that they reach
+  std::size_t out_of_reach = 0;  ///< outside the view, and too far from all surfaces
 };
 
-/// Milliseconds of wall time, each stage waited for.
+/// Wall time of each stage, milliseconds, measured by waiting for the GPU after each.
 struct StageTimes {
   double plan = 0;  ///< what to draw, on the CPU
   double surfaces = 0;
   double sky = 0;
   double points = 0;
   double panes = 0;
-  double resolve = 0;  ///< of a pixel's samples
+  double resolve = 0;  ///< averaging each pixel's samples
   double airlight = 0;
 };
 
-/// A frame looked at closely.
+/// Statistics of one frame (Renderer::draw_and_measure).
 struct FrameStatistics {
   FrameCounts counts;
   LightCounts lights;
   StageTimes times;
-  /// Of visible surfaces, in the mean; 0 on those that fog hides.
+  /// Mean over visible surfaces, where those that fog hides count as 0.
   double lights_per_fragment = 0;
   std::size_t fog_bytes_uploaded = 0;  ///< by the last change of the fog
 };

@@ -24,7 +24,8 @@ double highest_slope(const glm::dvec3& eye, const scene::Bounds& box, double nea
   return rise > 0 ? (rise < nearest ? rise / nearest : 1) : rise / farthest;
 }
 
-/// The y of unit directions up to which rays to the sky run at least that far through the fog (shaders/fog_top.glsl).
+/// The largest y of unit directions in which rays to the sky run at least `range` through the fog
+/// (shaders/fog_top.glsl).
 double slope_in_fog(double fog_above_eye, double range) {
   constexpr double kRounding = 1e-4;
   if (range > kSkyDistance) return -2;  // no ray does
@@ -43,7 +44,7 @@ void FramePlanner::set_atmosphere(const Atmosphere& atmosphere, bool is_fog_lit,
   atmosphere_ = atmosphere;
   is_fog_lit_ = is_fog_lit;
   shaft_casters_ = shaft_casters;
-  foggy_.resize(surfaces_.surfaces().size());
+  fog_states_.resize(surfaces_.surfaces().size());
   strengths_.resize(surfaces_.lists().size());
   forget();
 }
@@ -93,8 +94,8 @@ double FramePlanner::airlight_end_from(const glm::dvec3& eye, double budget) con
 }
 
 double FramePlanner::hidden_range_of(std::size_t index) {
-  Foggy& foggy = foggy_[index];
-  if (foggy.fog == fog_number_) return double(foggy.hidden_range);
+  SurfaceFogState& state = fog_states_[index];
+  if (state.fog_number == fog_number_) return double(state.hidden_range);
   const Surface& surface = surfaces_.surfaces()[index];
   double brightness = surface.material->own_light(scene_.environment);
   const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
@@ -118,7 +119,7 @@ PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out
   const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
   const std::span<const float> strengths =
       std::span(strengths_).subspan(std::size_t(surface.list_first), lights.size());
-  sorted_.clear();  // those that may be left out
+  sorted_.clear();  // strengths of lights that may be left out
   std::ranges::copy_if(strengths, std::back_inserter(sorted_),
                        [&](float strength) { return double(strength) <= most_left_out; });
   std::ranges::sort(sorted_);
@@ -192,7 +193,7 @@ void FramePlanner::plan_visible(const FrameView& view) {
   }
 
   const std::vector<SurfaceInView> in_view = find_surfaces_in_view(view.camera.position, frustum);
-  double hidden_from = 0;  // nothing that is farther away is visible
+  double hidden_from = 0;  // nothing farther away is visible
   for (const SurfaceInView& each : in_view) {
     constexpr double kRounding = 1 + 1e-6;
     if (each.nearest >= each.hidden_range) continue;

@@ -24,22 +24,21 @@ namespace litfog::render {
 /// A surface that a frame draws.
 struct PlannedSurface {
   const Surface* surface;
-  bool is_fog_alone;  ///< the fog hides it: only what it hides is seen of it
-  int list_first;     ///< in the plan's light list: the lights that light it, of which there are
+  bool is_fog_alone;  ///< fog hides the surface: it is drawn as fog alone, which hides what is behind it
+  int list_first;     ///< the surface's lights are list_count entries of the plan's light list, from this one on
   int list_count;
 };
 
 /// What a frame draws.
 struct FramePlan {
   std::vector<PlannedSurface> surfaces;
-  /// Instances of SceneLights: the carried lights, then those whose points are drawn, then the lights of each
-  /// surface.
+  /// Instances of SceneLights: the carried lights, then the lights whose points are drawn, then each surface's lights.
   std::vector<std::int32_t> light_list;
   int point_first = 0;
   int point_count = 0;
   AirlightList airlights;         ///< within the lights' extents
-  AirlightTiles airlight_tiles;   ///< of them
-  FarAirlightList far_airlights;  ///< beyond them
+  AirlightTiles airlight_tiles;   ///< tiles of airlights
+  FarAirlightList far_airlights;  ///< beyond the lights' extents
   FrameCounts counts;
 
   std::span<const std::int32_t> points() const {
@@ -50,10 +49,9 @@ struct FramePlan {
   }
 };
 
-/// At which exposures a picture is shown as far as what it may leave out is concerned, EV: [-kMaxExposure,
-/// kMaxExposure].
+/// Exposures that culling must respect, EV: [-kMaxExposure, kMaxExposure].
 struct FrameExposures {
-  double surfaces;  ///< and sky and points
+  double surfaces;  ///< also for sky and points
   double airlight;
 
   friend bool operator==(const FrameExposures&, const FrameExposures&) = default;
@@ -61,7 +59,7 @@ struct FrameExposures {
 
 /// Where a frame is seen from.
 struct FrameView {
-  scene::Camera camera;  ///< relative to SceneLights::origin(), as is what follows
+  scene::Camera camera;  ///< relative to SceneLights::origin(), as are the matrix and the slope
   glm::mat4 clip_from_world;
   double highest_slope;       ///< largest y of a unit direction from the eye into the picture
   double point_depth_factor;  ///< point_list.h
@@ -72,23 +70,25 @@ struct FrameView {
   friend bool operator==(const FrameView&, const FrameView&) = default;
 };
 
-/// Plans frames of a scene: what is outside the view, out of reach or hidden by fog is left out, so that no pixel of
-/// the display changes by more than a step, 1/255 (hidden_range.h has the shares). Calls no GL.
+/// Plans frames of a scene. Leaves out what is outside the view, out of reach or hidden by fog, so that no pixel of the
+/// display changes by more than a step, 1/255 (hidden_range.h divides the step). Calls no GL.
 ///
-/// Surfaces. What a surface sends to the eye is at most its own light and that of each lamp at the point nearest to the
-/// lamp, times f at its nearest distance from the eye. If that is below the share, its fog alone is drawn, with its own
-/// depth, so that all that is seen before and behind it stays as it is. If airlight and points from behind cannot be
-/// seen either, nor sky or brighter surfaces, it is left out: the picture's background is the colour of the fog.
-/// Hales's term depends on the position, so that nothing is left out where the cone of a carried light meets the rays
-/// through the surface, there or behind it. Within a cone the picture would change: seen from the light, two points of
-/// a ray at a range r or more are up to delta / r apart, delta from the eye to the light. A headlight 1 m beside the
-/// eye, with a slope of some 10 a radian, would take r of more than 100 km for an eighth of a step.
-/// Fog hides neither surfaces nor their lights on paths without such a bound (LightingPath::has_light_bound), nor where
-/// lights have an ambient colour, which the bound leaves out. A surface before which light maps light the fog is drawn
-/// whole, because fog alone has the cones' formula.
+/// Surfaces. A surface sends to the eye at most the sum of its own light and of each lamp's light at the surface's
+/// point nearest to the lamp, times f at its nearest distance from the eye. If that is below kHiddenShare, only the fog
+/// before the surface is drawn, at the surface's depth, so that everything before and behind it looks the same. The
+/// surface is left out altogether if airlight, points, sky and brighter surfaces behind it are invisible too: the
+/// picture's background is the colour of the fog.
+/// Hales's term depends on the position, so nothing is left out where the cone of a carried light meets the rays
+/// through the surface, at the surface or behind it. Within a cone the picture would change: seen from the light, two
+/// points of a ray at ranges of at least r are up to delta / r apart, where delta is the distance from the eye to the
+/// light. For a headlight 1 m beside the eye, with a slope of some 10 a radian, an eighth of a step would need an r of
+/// more than 100 km.
+/// Fog hides neither surfaces nor their lights on paths without this bound (LightingPath::has_light_bound), nor where
+/// lights have an ambient colour, which the bound does not cover. A surface before which light maps light the fog is
+/// drawn whole, because fog alone uses the cones' formula.
 class FramePlanner {
  public:
-  /// scene, lights, surfaces  have to outlive this
+  /// scene, lights, surfaces  have to outlive this object
   FramePlanner(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces,
                const RenderSettings& settings);
 
@@ -100,9 +100,9 @@ class FramePlanner {
 
   /// Valid until the next call; the same where neither view nor environment has changed, with has_changed() false.
   const FramePlan& plan(const FrameView& view);
-  /// Makes the next plan anew.
+  /// Forces the next plan() to make a new plan.
   void forget() { view_.reset(); }
-  /// What the last plan makes of the lights that the scene has on.
+  /// Counts the scene's lights by what the last plan does with them.
   LightCounts count_lights() const;
   bool has_changed() const { return has_changed_; }
 
@@ -110,9 +110,9 @@ class FramePlanner {
   FramePlan plan_geometry(const glm::mat4& clip_from_world) const;
 
  private:
-  /// What a surface is in the fog.
-  struct Foggy {
-    unsigned fog = 0;  // number of the fog and the exposure
+  /// Cached per surface: the range at which fog hides it.
+  struct SurfaceFogState {
+    unsigned fog_number = 0;  // fog_number_ for which the state holds
     float hidden_range = 0;
   };
 
@@ -127,7 +127,7 @@ class FramePlanner {
   void plan_visible(const FrameView& view);
   void add_points(const PointList& points);
   std::vector<SurfaceInView> find_surfaces_in_view(const glm::dvec3& eye, const Frustum& frustum);
-  /// From where on a surface is hidden, and how much each of its lights gives.
+  /// The range from which on fog hides a surface. Also updates the surface's strengths_.
   double hidden_range_of(std::size_t surface);
   /// Whether carried lights can light the fog by their intensity on a ray through the surface, from a range on.
   bool can_be_lit_from(const glm::dvec3& eye, const Surface& surface, double range) const;
@@ -145,8 +145,8 @@ class FramePlanner {
   std::span<const std::int32_t> shaft_casters_;
   unsigned fog_number_ = 1;
   double step_ = 0;
-  std::vector<Foggy> foggy_;      // one a surface
-  std::vector<float> strengths_;  // of the surfaces' lists: what each light gives, before the fog on the eye's leg
+  std::vector<SurfaceFogState> fog_states_;  // one a surface
+  std::vector<float> strengths_;  // one an entry of SurfaceList::lists(): its light, before the fog on the eye's leg
   std::vector<float> sorted_;     // scratch
   std::optional<FrameView> view_;
   scene::Environment environment_;  // for which the last plan was made

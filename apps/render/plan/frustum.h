@@ -8,9 +8,9 @@
 
 namespace litfog::render {
 
-/// The planes of what a camera sees: normal and offset, inside where dot(normal, p) + offset >= 0.
+/// The planes around a camera's view: normal and offset; dot(normal, p) + offset >= 0 inside.
 using Frustum = std::array<glm::vec4, 6>;
-/// Of a clip volume whose depths begin at -1 or at 0.
+/// Also valid for clip volumes whose depths begin at 0, where the near plane is conservative.
 Frustum make_frustum(const glm::mat4& clip_from_world);
 
 /// Whether the camera can see anything of a box. Never false where it can; may be true where it cannot.

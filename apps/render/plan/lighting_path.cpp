@@ -21,13 +21,13 @@ SurfacePass per_fragment(std::string_view fragment, LightFeed lights = {}) {
   return {.vertex = "surface.vert", .fragment = fragment, .lights = lights};
 }
 
-/// Batches of lights by light maps, at the fragments.
+/// Batches of lights by light maps, at each fragment.
 SurfacePass looked_up(std::string_view fragment, LightFeed lights) {
   lights.kind = LightFeed::Kind::batches;
   return {.vertex = "light_coordinates.vert", .fragment = fragment, .lights = lights};
 }
 
-/// Frazier's ambient light alone, and his lights added to it one by one.
+/// Frazier's ambient light, then his lights added one by one.
 std::vector<SurfacePass> accumulated() {
   const SurfacePass ambient{
       .vertex = "light_coordinates.vert", .fragment = "accumulate_ambient.frag", .shows_fog = false};
@@ -37,7 +37,7 @@ std::vector<SurfacePass> accumulated() {
   return {ambient, light};
 }
 
-/// The same, multiplied by the base texture, and the fog before it.
+/// accumulated(), multiplied by the base texture, then the fog before it.
 std::vector<SurfacePass> accumulated_with_texture() {
   std::vector<SurfacePass> passes = accumulated();
   passes.push_back({.vertex = "light_coordinates.vert",

@@ -9,7 +9,7 @@
 
 namespace litfog::render {
 
-/// What a surface makes of the light that reaches it. Colours are linear; reflectance is the base texture.
+/// How a surface reflects the light that reaches it. Colours are linear; the reflectance is the base texture.
 enum class SurfaceModel {
   /// Emissive + ambient + diffuse + specular, specular zero where diffuse is (Randima Fernando and Mark Kilgard 2003,
   /// "The Cg Tutorial", section 5.2).
@@ -23,7 +23,7 @@ enum class SurfaceModel {
   unshaded,
 };
 
-/// How light falls with range, before the extent E; beyond it a light is dark.
+/// How light falls with range r up to the extent E. Beyond E a light is dark.
 enum class RangeLaw {
   attenuation,  ///< min(1, 1 / (C + L r + Q r^2)), the model's
   radial,       ///< 1 - r^2 / E^2 (Frazier 2000)
@@ -31,19 +31,19 @@ enum class RangeLaw {
                 ///< Lacroix 2005, "Let There Be Light!", equation 3)
 };
 
-/// Where the lights' part is computed, and so how near the picture comes to the surface model's formula.
+/// Where lighting is computed, which decides how near a picture comes to the surface model's formula.
 enum class Evaluation {
-  fragment,  ///< at each fragment: the formula itself
-  lookup,    ///< at each fragment, range and angle from textures: as near as their texels are dense
-  vertex,    ///< in part or whole at the vertices: as near as the triangles are small
+  fragment,  ///< at each fragment: the exact formula
+  lookup,    ///< at each fragment, range and angle from textures: as exact as their texels are dense
+  vertex,    ///< partly or wholly at the vertices: as exact as the triangles are small
 };
 
-/// How a pass's colour joins what the surface's earlier passes drew.
+/// How a pass's colour is combined with that of the surface's earlier passes.
 enum class Blend {
-  replace,   ///< replaces it
-  add,       ///< is added
-  multiply,  ///< multiplies it
-  over,      ///< is added to alpha times that
+  replace,
+  add,
+  multiply,
+  over,  ///< adds it to alpha times the earlier colour
 };
 
 /// How a pass takes its lights.
@@ -51,22 +51,22 @@ struct LightFeed {
   enum class Kind {
     none,  ///< drawn once, without lights
     all,   ///< drawn once, by all lights that can reach the surface
-    /// Drawn once for each batch of them, the later batches added. Without lights it is drawn once, unless the pass
-    /// itself is added.
+    /// Drawn once for each batch of lights, the later batches added. Without lights drawn once, or not at all by a pass
+    /// with Blend::add.
     batches,
   };
   Kind kind = Kind::none;
-  std::size_t batch_size = 0;  ///< batches: the most lights of one, which share their maps
-  bool lists_rest = false;     ///< batches: where there are several the first also sees all lights, by the light list
-  /// batches: a light brings its fog with it, coloured by the same look-up as its light on the surface. Else the pass
-  /// that draws a surface first adds the fog of all lights, by the cones' formula.
+  std::size_t batch_size = 0;  ///< batches: at most this many lights, which share their maps
+  bool lists_rest = false;     ///< batches: the first of several also reads all lights, by the light list
+  /// batches: each light adds the fog that it lights, by the same look-up as its light on the surface. Otherwise the
+  /// pass that draws a surface first adds the fog of all lights, by the cones' formula.
   bool bring_fog = false;
-  /// all: shaders take kMaxUniformLights lights, the first of which are flagged as being there. Else they are compiled
-  /// for about as many lights as there are.
+  /// all: shaders take kMaxUniformLights lights and a flag for each that exists. Otherwise they are compiled for about
+  /// as many lights as exist.
   bool has_flags = false;
 };
 
-/// One way of drawing a surface again. Shaders are files of apps/render/shaders.
+/// One pass over a surface. Shaders are files of apps/render/shaders.
 struct SurfacePass {
   std::string_view vertex;
   std::string_view geometry = {};  ///< empty: none
@@ -76,7 +76,7 @@ struct SurfacePass {
   bool shows_fog = true;  ///< adds the light of the fog before a surface, the first time that it draws it
 };
 
-/// The textures from which a path looks its lights up.
+/// The textures in which a path looks up its lights.
 enum class LightMapSet {
   none,
   volume,  ///< Hales: 3-D range map, cone cube map about +x
@@ -92,11 +92,11 @@ struct LightingPath {
   SurfaceModel surface = SurfaceModel::basic;
   RangeLaw range = RangeLaw::attenuation;
   Evaluation evaluation = Evaluation::fragment;
-  bool has_normal_maps = false;  ///< else the vertices' normals
-  bool has_lit_fog = true;       ///< else the ambient fog colour alone
-  bool takes_airlight = false;   ///< its lamps light each fragment: fog can dim them on their way, shadows hide them
+  bool has_normal_maps = false;  ///< otherwise vertex normals
+  bool has_lit_fog = true;       ///< otherwise the ambient fog colour alone
+  bool takes_airlight = false;   ///< lamps light each fragment, so that fog can dim them and shadows hide them
   bool has_reference = true;     ///< measure::PathModel has its formulas
-  /// hidden_range.h is known to bound what its surfaces send to the eye, all of it through the fog: fog can hide them.
+  /// hidden_range.h bounds what surfaces send to the eye, all of it through the fog, so that fog can hide them.
   bool has_light_bound = false;
   bool pairs_lights = false;  ///< a batch is lit by its first light's range, so that no light can be left out
   LightMapSet maps = LightMapSet::none;
@@ -104,7 +104,7 @@ struct LightingPath {
 
   /// Whether a surface may be drawn more than once, which needs a stencil.
   bool has_several_passes() const { return passes.size() > 1 || passes[0].lights.kind == LightFeed::Kind::batches; }
-  /// Whether it draws panes (scene::Material::opacity) as such, and not as masks.
+  /// Whether it draws panes (scene::Material::opacity) as panes, not as masks.
   bool draws_panes() const { return !has_several_passes(); }
   /// Whether the cones of the lit fog before surfaces come from the light maps.
   bool has_mapped_fog() const { return passes[0].lights.bring_fog; }
@@ -113,20 +113,19 @@ struct LightingPath {
 /// Every path, the default one first.
 std::span<const LightingPath> lighting_paths();
 
-/// What the papers print beside their ways to light a scene: sample programs, exercises and intermediate pictures, each
-/// under its own name.
+/// What the papers print beside their lighting paths: sample programs, exercises and intermediate pictures.
 std::span<const LightingPath> published_programs();
 
-/// The base texture alone, without light and fog. Not one of the paths: it is the floor of their cost.
+/// The base texture alone, without light and fog: the lower limit of the paths' cost. Not one of the paths.
 const LightingPath& unlit_path();
 
-/// As red a surface's number of lights, as green 1. Not one of the paths.
+/// Draws a surface's number of lights as red, and 1 as green. Not one of the paths.
 const LightingPath& light_count_path();
 
 /// Normal maps in object space (Lacroix 2005). Not one of the paths: bundled scenes have maps in tangent space.
 const LightingPath& object_space_path();
 
-/// A path that rasterises exactly the samples of `other` and writes a GeometryBuffer's attributes instead of colour.
+/// A path that rasterises exactly the samples of `other`, but writes a GeometryBuffer's attributes instead of colour.
 const LightingPath& geometry_path(const LightingPath& other);
 
 /// The fog before a surface alone, for any path.

@@ -13,7 +13,7 @@ struct View {
   glm::vec3 eye;    ///< in world space as shaders take it: relative to SceneLights::origin()
   glm::vec3 forward;
   glm::mat4 clip_from_world;
-  glm::mat4 direction_from_clip;  ///< of the ray through a place on the picture
+  glm::mat4 direction_from_clip;  ///< ray direction from a position in the picture
   double pixels_per_radian;       ///< at the picture's middle
   double top_above_eye;           ///< metres: the atmosphere's
 };

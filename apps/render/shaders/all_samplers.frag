@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Takes each of the samplers (gpu/sampler_states.h).
+// Uses every sampler (gpu/sampler_states.h).
 uniform sampler2D maps[16];
 out vec4 color;
 

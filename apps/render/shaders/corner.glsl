@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every geometry shader passes on of a corner, from vertex.glsl to rasterised.glsl. The vertex shader before it
-// renames its outputs (geometry_corner.vert).
+// The values of a corner that every geometry shader passes on, from vertex.glsl to rasterised.glsl. The vertex shader
+// before it renames its outputs (geometry_corner.vert).
 
 #include "material.glsl"
 
@@ -22,7 +22,7 @@ out vec4 map_uvs;
 #endif
 invariant gl_Position;
 
-// Sets what every fragment shader reads.
+// Sets the inputs that every fragment shader reads.
 void pass_corner(int corner) {
   rasterised_position = corner_position[corner];
   uv = corner_uv[corner];

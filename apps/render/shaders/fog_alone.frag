@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fog before a surface that it hides.
+// The fog before a surface that the fog hides.
 
 #include "depth_test.glsl"
 #include "fragment.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A fragment of a surface: its material, and how it is seen through the fog.
+// A fragment of a surface: its material and the fog before it.
 
 #define LITFOG_FOG_LIGHTS
 #include "light_batch.glsl"
@@ -12,7 +12,7 @@
 
 out vec4 color;
 
-// The lights of the fog: passed as uniforms, or read through the light list if they are too many for uniforms.
+// Sums the light of the fog over lights passed as uniforms or, if they are too many, read through the light list.
 vec3 litfog_lights_fog(vec3 position) {
   vec3 fog = vec3(0.0);
   if (has_listed_fog_lights) {
@@ -25,10 +25,10 @@ vec3 litfog_lights_fog(vec3 position) {
   return fog;
 }
 
-// How far lights reach, in their extents.
+// How far lights reach, as a multiple of their extents.
 uniform float reach;
 
-// A light as it lights surfaces.
+// A light with the extent up to which it lights surfaces.
 LitfogLight surface_light(LitfogLight light) {
   if (are_lit_beyond_ends) light.position_extent.w *= reach;
   return light;
@@ -42,7 +42,7 @@ float lamp_factor(LitfogLight light, float range) {
 // Light from the vertices, not below 0. At the centre of a pixel that a triangle only partly covers it is extrapolated.
 vec3 vertex_light(vec3 interpolated) { return max(interpolated, vec3(0.0)); }
 
-// A pass's light from the surface as the eye sees it; the fog's own light is the first pass's to add.
+// A pass's light from the surface as the eye sees it. The first pass also adds the fog's own light.
 vec4 seen_by_eye(vec3 lit, vec3 position) {
   if (is_first_pass) return vec4(litfog_apply_fog(lit, position, eye), 1.0);
   return vec4(lit * (1.0 - litfog_fog_opacity(distance(position, eye), 1.0)), 1.0);

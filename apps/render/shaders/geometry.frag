@@ -7,7 +7,7 @@
 in vec3 normal;
 in vec4 tangent;
 
-uniform float material;  // its number
+uniform float material;  // the material's number
 
 layout(location = 0) out vec4 position_material;
 layout(location = 1) out vec4 normal_texel;

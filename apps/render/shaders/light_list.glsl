@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The scene's lights, through the frame's light list (render::FramePlan), which begins with those that the eye's
-// vehicle carries.
+// The scene's lights, through the frame's light list (render::FramePlan), which begins with the carried lights.
 
 #include "cookie.glsl"
 #include "litfog/shaders/light_buffer.glsl"

@@ -7,7 +7,7 @@ flat in vec3 point_color;
 flat in float core_fraction;
 out vec4 color;
 
-const float least_core = 0.02;   // of the squared radius: a pixel of a point that has grown
+const float least_core = 0.02;   // fraction of the squared radius: a pixel of a point that has grown
 const float halo_falloff = 0.8;  // per squared radius: 1/150 at the point's edge
 
 uniform float halo_brightness;  // point_list.h

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A light as the eye sees it from afar: a point as bright as the light it sends to the eye, through the fog at the
-// density of its class. The figures are chosen by eye where they name no source; those that the CPU needs to leave
-// points out are in point_list.h.
+// density of its class. Constants without a source are chosen by eye; those that the CPU needs to leave out points are
+// in point_list.h.
 
 #include "cookie.glsl"
 #include "light_list.glsl"
@@ -10,10 +10,10 @@
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
-uniform float pixel_scale;  // of the picture's height over kPointPictureHeight
+uniform float pixel_scale;  // the picture's height over kPointPictureHeight
 uniform float near_plane;  // metres
 uniform bool has_clip_control;
-uniform bool has_glare;  // else what surrounds a point is the fog's airlight, which is drawn apart
+uniform bool has_glare;  // otherwise a point's halo is airlight, which is drawn separately
 uniform int first_point;  // in the light list
 // point_list.h:
 uniform float full_brightness;
@@ -28,7 +28,7 @@ const float glare_power = 0.3;   // how glare grows with brightness; Stevens 195
 const float lens_radius = 0.1;   // metres: a light is in or on its lens; that of a runway edge light has 0.08
 const float most_lifted = 0.4;   // metres
 
-// How far a point is moved towards the eye. A wall closer before the lamp than that does not hide it. Moved less, its
+// How far a point is moved towards the eye. A wall closer than that before the lamp does not hide it. Moved less, its
 // own lens or the depth buffer's rounding (gpu/depth.h) would hide it. With clip control that is 0.1 m nearby and 3 mm
 // more at 10 km; else 0.4 m from 355 m on, where farther lamps are seen through walls.
 float lift(float range) {

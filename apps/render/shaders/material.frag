@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pass's shader for a material that has more than a colour and normals: where its mask leaves a surface, what the
-// surface emits there, and what a pane lets through. Also for fragments that test their depth late.
+// A pass's shader for materials with a mask, emission or a pane's opacity beside colour and normals, and for fragments
+// that test their depth late.
 
 #define main shade_surface
 #include "pass.frag"

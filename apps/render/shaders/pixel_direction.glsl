@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The ray through a pixel.
 
-uniform vec2 pixel_size;  // 2 over the picture's size: of a pixel in clip space
+uniform vec2 pixel_size;  // a pixel's size in clip space: 2 over the picture's size
 uniform mat4 direction_from_clip;
 
 // Unit direction from the eye through the middle of a pixel, which may lie beyond the picture's edge.

@@ -16,7 +16,7 @@ in vec4 map_uvs;
 uniform sampler2D albedo_map;  // rgb reflectance, a gloss, or coverage of a mask or pane
 uniform sampler2D normal_map;
 
-// Where a texture is looked up; parallax.frag shifts it.
+// Coordinates at which a texture is looked up; parallax.frag shifts them.
 #ifndef texture_uv
 #define texture_uv(coordinates) (coordinates)
 #endif
@@ -39,7 +39,7 @@ vec4 base_texel() {
 #endif
 }
 
-// What the first texture and the vertices' colour reflect; a is gloss.
+// Reflectance by the first texture and the vertices' colour; a is gloss.
 #if defined MATERIAL_UNLIT
 vec4 first_texture() { return vec4(0.0, 0.0, 0.0, 1.0); }  // all of it is emission
 #elif defined MATERIAL_MASK || defined MATERIAL_PANE
@@ -55,7 +55,7 @@ vec4 first_texture() { return texture(albedo_map, texture_uv(uv)); }
 
 #ifdef MATERIAL_SECOND_TEXTURE
 uniform sampler2D second_map;
-uniform float second_tiles;  // on one tile of the first texture
+uniform float second_tiles;  // tiles of the second texture on one tile of the first
 vec3 second_texture() { return texture(second_map, texture_uv(uv) * second_tiles).rgb; }
 #else
 vec3 second_texture() { return vec3(1.0); }
@@ -63,15 +63,15 @@ vec3 second_texture() { return vec3(1.0); }
 
 vec4 base_texture() { return first_texture() * vec4(second_texture(), 1.0); }
 
-// The fraction of what is behind it that it hides.
+// The fraction of the background that the fragment hides.
 #ifdef MATERIAL_PANE
 float fragment_opacity() { return clamp(base_texel().a * coverage, 0.0, 1.0); }
 #else
 float fragment_opacity() { return 1.0; }
 #endif
 
-// The normal map's normal in tangent space. The map's alpha gives the level that means 0 (Material::normal): 128 below
-// 1, where it is a height, 127.5 at 1.
+// The normal map's normal in tangent space. The map's alpha gives the level that means 0 (Material::normal): 128 for an
+// alpha below 1, which is a height, and 127.5 for 1.
 #ifdef MATERIAL_FLAT
 vec3 mapped_normal() { return vec3(0.0, 0.0, 1.0); }
 #else

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// The eye, and a scene's light that is not from lamps.
+// The eye, and the light of a scene apart from its lamps.
 
 #include "surface_draw.glsl"
 #include "environment.glsl"
 
-// The unit direction to the viewer, where has_infinite_viewer (Randima Fernando and Mark Kilgard 2003, "The Cg
-// Tutorial", chapter 5, exercise 4).
+// The unit direction to the viewer if has_infinite_viewer (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
+// chapter 5, exercise 4).
 uniform vec3 infinite_viewer;
 
 // The vector to the viewer; its length has no meaning.

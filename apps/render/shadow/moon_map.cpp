@@ -10,15 +10,15 @@ namespace litfog::render {
 namespace {
 
 struct Ball {
-  double distance;  // of its middle along the camera's axis
+  double distance;  // from the camera to the middle, along the camera's axis
   double radius;
 };
 
 /// The smallest ball around the camera and what it sees up to a distance along its axis.
 ///
-/// slope  of the picture's corners to the axis
+/// slope  tangent of the angle between the axis and the picture's corners
 Ball ball_around(double distance, double slope) {
-  const double middle = 0.5 * distance * (1 + slope * slope);  // as far from the camera as from the corners
+  const double middle = 0.5 * distance * (1 + slope * slope);  // equally far from the camera and from the corners
   return middle < distance ? Ball{middle, middle} : Ball{distance, distance * slope};
 }
 

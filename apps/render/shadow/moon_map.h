@@ -8,21 +8,21 @@
 
 namespace litfog::render {
 
-/// A shadow map of the directional light: a square picture along it of how far it gets.
+/// A shadow map of the directional light: a square picture, taken along the light, of how far it gets.
 struct MoonMap {
   glm::dvec3 position;          ///< in the middle of the picture, before everything that casts shadows
   glm::dmat3 frame_from_world;  ///< rotation: x to the picture's right, y up, -z along the light
   double half_size;             ///< metres
-  double reach;                 ///< metres along the light, to behind everything
+  double reach;                 ///< metres along the light, to beyond everything
 
   friend bool operator==(const MoonMap&, const MoonMap&) = default;
 };
 
-/// The maps of a scene's directional light, the finest first: each shows a ball around what the camera sees up to a
-/// distance, the last one up to the farthest surface, each of the others up to a quarter of the next one's ("cascades",
-/// Wolfgang Engel 2006, "Cascaded Shadow Maps"). None where a scene has no such light.
+/// The shadow maps of a scene's directional light, the finest first; none without such a light. Each map shows a ball
+/// around what the camera sees up to a distance. The last map's distance is that of the farthest surface, and each
+/// other map's is a quarter of the next one's ("cascades", Wolfgang Engel 2006, "Cascaded Shadow Maps").
 ///
-/// bounds    of all that can cast or receive a shadow
+/// bounds    of everything that can cast or receive a shadow
 /// aspect    width over height of the camera's picture
 /// map_size  texels a side
 std::vector<MoonMap> fit_moon_maps(const scene::Environment& environment, const scene::Camera& camera,

@@ -13,15 +13,15 @@
 
 namespace litfog::render {
 
-/// Metres around a lamp within which nothing casts its shadow: a lamp is in or on its lens, which other passes draw.
+/// Metres around a lamp within which nothing casts a shadow: a lamp is in or on its lens, which other passes draw.
 inline constexpr double kLampRadius = 0.1;
 
 /// Half angle of the widest beam that one map holds, radians: a wider map has most of its texels near its rim.
 inline constexpr double kWidestShadowMap = std::numbers::pi / 3;
 
-/// A lamp that casts shadows by maps: square pictures, taken from the lamp, of how far its light gets. A beam up to
-/// kWidestShadowMap has one map, across its axis. Others have a cube of maps of 90 degrees each, in the order ahead,
-/// right, left, up, down and, where the beam is wide enough, behind.
+/// A lamp that casts shadows by shadow maps: square pictures, taken from the lamp, of how far its light gets. A beam up
+/// to kWidestShadowMap has one map, across its axis. Wider beams have a cube of maps of 90 degrees each, in the order
+/// ahead, right, left, up, down and, where the beam is wide enough, behind.
 struct ShadowCaster {
   std::int32_t light;       ///< its index in SceneLights
   std::size_t scene_light;  ///< its index in Scene::lights
@@ -29,18 +29,18 @@ struct ShadowCaster {
   glm::dmat3 frame_from_world;  ///< rotation: x to the lamp's right, y up, -z along its axis
   bool is_cube;
   int map_count;
-  double half_size;  ///< of a map, a metre before the lamp, in metres
-  double reach;      ///< metres: no surface that it lights is farther, though fog may be. Finite
+  double half_size;  ///< half a map's side 1 m before the lamp, metres
+  double reach;      ///< metres, finite: no surface that it lights is farther, though lit fog may be
 };
 
-/// The part of space that a map shows, or a little more.
+/// Bounds of the space that a map shows, or a little more.
 LightBounds bounds_of_map(const ShadowCaster& caster, int map);
 
-/// The lamps of a scene that cast shadows: those that the eye's vehicle carries, then those that are brightest as seen
-/// from the eye, were they all turned to it.
+/// Chooses the lamps that cast shadows: first carried lamps, then those that would be brightest at the eye if all lamps
+/// pointed at it.
 ///
-/// bounds    of all that can cast or receive a shadow
-/// most      how many lamps at most; lamps that are black do not count
+/// bounds    of everything that can cast or receive a shadow
+/// most      largest number of lamps; black lamps do not count
 /// map_size  texels a side
 std::vector<ShadowCaster> choose_shadow_casters(const SceneLights& lights, const scene::Bounds& bounds,
                                                 const glm::dvec3& eye, std::size_t most, int map_size);

@@ -25,7 +25,7 @@ struct PackedCaster {
   glm::vec4 up_reach;
 };
 
-/// caster  a ShadowCaster or MoonMap, of maps from a layer on
+/// caster  a ShadowCaster or MoonMap whose maps begin at a layer
 template <typename Caster>
 PackedCaster pack(const Caster& caster, double half_size, int layer) {
   const glm::dmat3 world_from_frame = glm::transpose(caster.frame_from_world);
@@ -62,7 +62,7 @@ void expect_room(const std::string& whose, std::size_t layers, int size) {
   }
 }
 
-/// Leaves the program in use. caster: a ShadowCaster or MoonMap.
+/// Leaves the program in use. The caster is a ShadowCaster or MoonMap.
 template <typename Caster>
 void set_frame(const gl::Program& program, const Caster& caster, int map) {
   program.use();

@@ -18,17 +18,16 @@
 
 namespace litfog::render {
 
-/// The shadow maps of a scene's lamps and of its directional light in one array of depth textures. Needs a current GL
-/// context.
+/// The shadow maps of a scene's lamps and directional light in one depth texture array. Needs a current GL context.
 class ShadowMaps {
  public:
   static constexpr int kNoCaster = -1;
   static constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
-  /// scene     has to outlive this
-  /// surfaces  that cast shadows; have to outlive this
+  /// scene     has to outlive this object
+  /// surfaces  that cast shadows; have to outlive this object
   /// aspect    width over height of the pictures
-  /// settings  of which the shadows are not none
+  /// settings  shadows is not Shadows::none
   /// throws    gl::Unsupported where the maps would take more than kMaxBytes, or this OpenGL has no such textures
   ShadowMaps(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces, double aspect,
              const RenderSettings& settings);
@@ -37,17 +36,17 @@ class ShadowMaps {
   const std::vector<MoonMap>& moon_maps() const { return moon_maps_; }
   /// The lamps' maps and the moon's.
   std::size_t map_count() const;
-  /// A light's caster as the shaders number them, or kNoCaster.
+  /// A light's caster, as shaders number casters, or kNoCaster.
   std::int32_t caster_of(std::size_t light) const { return caster_of_[light]; }
   std::span<const std::int32_t> caster_of_lights() const { return caster_of_; }
 
-  /// Draws the lamps' maps the first time that it is called, since lamps and surfaces stay as they are as long as this,
-  /// and the directional light's as often as the scene's camera has changed. Returns how many were drawn. Changes the
-  /// bound framebuffer.
+  /// Draws the lamps' maps at the first call only, since lamps and surfaces do not change during this object's life,
+  /// and the directional light's maps whenever the scene's camera has changed. Returns how many maps were drawn.
+  /// Changes the bound framebuffer.
   std::size_t draw(double aspect);
   /// Binds the maps and the casters to their units.
   void bind() const;
-  /// Tells a program in use which casters are the directional light's maps.
+  /// Tells the program in use which casters are the directional light's maps.
   void set_moon_maps(const gl::Program& program) const;
 
  private:
@@ -61,14 +60,14 @@ class ShadowMaps {
   const scene::Scene& scene_;
   glm::dvec3 origin_;
   const SurfaceList& surfaces_;
-  scene::Bounds bounds_;  // of the surfaces
+  scene::Bounds bounds_;  // bounds of all surfaces
   std::vector<ShadowCaster> casters_;
   std::vector<MoonMap> moon_maps_;
-  std::vector<std::int32_t> caster_of_;  // of each light
+  std::vector<std::int32_t> caster_of_;  // one a light
   int size_;                             // texels a side
   bool is_drawn_ = false;
   gl::Program program_;
-  gl::Program mask_program_;  // of materials with a mask
+  gl::Program mask_program_;  // for materials with a mask
   gl::FramebufferName framebuffer_;
   gl::TextureName maps_;
   std::optional<BufferTexture> caster_texture_;

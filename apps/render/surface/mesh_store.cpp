@@ -14,7 +14,7 @@
 namespace litfog::render {
 namespace {
 
-constexpr float kCellSize = 20;  // metres: a few chunks a lamp, some thousand a scene
+constexpr float kCellSize = 20;  // metres: a few chunks a lamp, some thousand chunks a scene
 
 using Cell = std::tuple<int, int, int>;
 
@@ -34,13 +34,13 @@ void fill(GLenum target, const gl::BufferName& buffer, const std::vector<Element
   glBufferData(target, GLsizeiptr(bytes), elements.data(), GL_STATIC_DRAW);
 }
 
-/// Draws indices of the bound GL_ELEMENT_ARRAY_BUFFER.
+/// Draws a run of the bound GL_ELEMENT_ARRAY_BUFFER.
 void draw_triangles(std::size_t first, std::size_t count) {
   glDrawElements(GL_TRIANGLES, GLsizei(count), GL_UNSIGNED_INT,
                  reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
-/// One of a struct's members, of floats, from the bound GL_ARRAY_BUFFER.
+/// Sets an attribute to a member of floats of a struct in the bound GL_ARRAY_BUFFER.
 template <typename Struct>
 void set_attribute(GLuint location, GLint components, std::size_t offset) {
   glEnableVertexAttribArray(location);
@@ -48,7 +48,7 @@ void set_attribute(GLuint location, GLint components, std::size_t offset) {
                         reinterpret_cast<const void*>(offset));
 }
 
-/// Of all vertices, in the order of cut_into_chunks(); empty where no mesh has any.
+/// The details of all vertices, in the order of cut_into_chunks(); empty if no mesh has any.
 std::vector<scene::VertexDetail> details_of(const std::vector<scene::Model>& models) {
   std::vector<scene::VertexDetail> details;
   std::size_t vertices = 0;

@@ -33,7 +33,7 @@ class Reach {
   LightFinder local_;
 };
 
-/// Adds a triangle of a mesh to another, its vertices once.
+/// Copies triangles from one mesh to another, each vertex once.
 class MeshCopy {
  public:
   void add(const scene::Mesh& mesh, std::size_t first_index) {
@@ -74,7 +74,7 @@ scene::Scene sort_polygons(const scene::Scene& scene, const RenderSettings& sett
       sorted.instances.back().is_beyond_lights = true;
       continue;
     }
-    std::array<scene::Model, 2> halves;  // beyond the lights, within their reach
+    std::array<scene::Model, 2> halves;  // [0] beyond the lights' reach, [1] within it
     for (const scene::Part& part : model) {
       std::array<MeshCopy, 2> copies;
       for (std::size_t i = 0; i < part.mesh.indices.size(); i += 3) {

@@ -31,7 +31,7 @@ void draw_sky(const gl::Program& program, const View& view, const scene::Scene& 
 const gl::Program& SkyPainter::program(SkyDrawing drawing, bool is_lit) {
   const auto found = programs_.find({drawing, is_lit});
   if (found != programs_.end()) return found->second;
-  std::vector<gl::ShaderSource> files;  // those in front are found before the files of their names
+  std::vector<gl::ShaderSource> files;  // earlier files hide later ones of the same name
   if (drawing == SkyDrawing::fog) {
     files.push_back({"night_sky.glsl", "vec3 night_sky(vec3 direction) { return vec3(0.0); }\n"});
   }

@@ -18,13 +18,13 @@ void draw_sky(const gl::Program& program, const View& view, const scene::Scene& 
 /// Draws the sky through the fog, which carried lights light. Needs a current GL context.
 class SkyPainter {
  public:
-  /// scene, fog_lights  have to outlive this
+  /// scene, fog_lights  have to outlive this object
   SkyPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights)
       : scene_(scene), fog_lights_(fog_lights) {}
 
-  /// The lights' tables, the frame's light list and the cookies are bound to their units.
+  /// Light tables, the frame's light list and cookies must be bound to their units.
   ///
-  /// carried_count  of lights, with which that list begins
+  /// carried_count  number of carried lights, with which the light list begins
   void draw(const View& view, SkyDrawing drawing, std::size_t carried_count);
 
  private:
@@ -32,7 +32,7 @@ class SkyPainter {
 
   const scene::Scene& scene_;
   const gl::FogLightBuffer& fog_lights_;
-  std::map<std::pair<SkyDrawing, bool>, gl::Program> programs_;  // each compiled when it is first asked for
+  std::map<std::pair<SkyDrawing, bool>, gl::Program> programs_;  // each compiled when first asked for
 };
 
 }  // namespace litfog::render

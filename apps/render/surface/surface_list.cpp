@@ -25,7 +25,7 @@ scene::Bounds around(const std::vector<scene::Bounds>& boxes) {
   return whole;
 }
 
-/// A scene's pictures on the GPU, each once.
+/// A scene's pictures on the GPU, each uploaded once.
 class TextureStore {
  public:
   std::shared_ptr<const Texture> upload(const std::shared_ptr<const scene::Texels>& texels,
@@ -71,7 +71,7 @@ bool is_flat(const scene::Texels& normals) {
   return true;
 }
 
-/// What it sends to the eye by itself: the largest component.
+/// The largest component of a material's own light.
 double most_emitted(const scene::Material& material, const Largest& most) {
   const double emissive = largest_component(material.emissive);
   if (material.is_unlit) return emissive * most.albedo;
@@ -80,7 +80,7 @@ double most_emitted(const scene::Material& material, const Largest& most) {
 
 /// A scene's materials on the GPU, sorted by name.
 ///
-/// earlier  are taken where their names agree
+/// earlier  materials that are kept where names agree
 std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, std::vector<SurfaceMaterial> earlier = {}) {
   std::ranges::sort(materials, {}, &scene::Material::name);
   TextureStore textures;
@@ -122,7 +122,7 @@ SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, S
 }
 
 void SurfaceList::set_objects(const scene::Scene& scene) {
-  surfaces_.clear();  // which refer to what follows
+  surfaces_.clear();  // surfaces point into what is replaced below
   materials_ = upload(scene.materials, std::move(materials_));
   meshes_ = upload_meshes(scene);
 }
@@ -132,7 +132,7 @@ MeshStore SurfaceList::upload_meshes(const scene::Scene& scene) const {
 }
 
 void SurfaceList::set_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping) {
-  // A frame's light list holds the carried lights and points besides.
+  // A frame's light list also holds the carried lights and points.
   const std::size_t most = std::min(kMaxListed, BufferTexture::max_texels());
   const std::size_t room = most - std::min(most, lights.size());
   const bool has_ends = !lights.light_surfaces_beyond_end();

@@ -18,21 +18,21 @@
 
 namespace litfog::render {
 
-/// A material with its pictures on the GPU.
+/// A material with its textures on the GPU.
 struct SurfaceMaterial {
-  scene::Material material;  ///< without its texels
-  float number;              ///< in their order
-  double reflectance;        ///< most of a light that it reflects, diffuse and specular together: the largest component
-  double diffuse;            ///< most of it that is diffuse, likewise
-  double emitted;            ///< most that it sends to the eye by itself: linear, likewise
-  bool is_flat;              ///< all texels of its normal map say so
-  std::shared_ptr<const Texture> albedo;  ///< materials of the same texels share their texture
+  scene::Material material;               ///< without its texels
+  float number;                           ///< position in the order of materials
+  double reflectance;                     ///< largest component of the diffuse plus specular reflectance
+  double diffuse;                         ///< largest component of the diffuse reflectance
+  double emitted;                         ///< largest component of its own light, linear
+  bool is_flat;                           ///< all texels of its normal map are flat
+  std::shared_ptr<const Texture> albedo;  ///< shared by materials with the same texels
   std::shared_ptr<const Texture> normal;
   std::shared_ptr<const Texture> emission;  ///< null: none
   std::shared_ptr<const Texture> second;    ///< null: none
 
   bool is_pane() const { return material.opacity.has_value(); }
-  /// What it sends to the eye without lamps is at most this: linear, the largest component.
+  /// Upper bound of its light without lamps: largest component, linear.
   double own_light(const scene::Environment& environment) const {
     return emitted + diffuse * largest_component(environment.ambient_light) +
            reflectance * largest_component(environment.moon_color);
@@ -45,54 +45,53 @@ struct Surface {
   const Chunk* chunk;
   glm::mat4 world_from_model;
   scene::Bounds bounds;  ///< world space, relative to SceneLights::origin() like the matrix
-  bool is_fog_lit;       ///< a carried light's cone meets it, so that fog before it is lit by such lights
-  int list_first;        ///< in the lists of all surfaces: the lights that can reach it, of which there are
+  bool is_fog_lit;       ///< a carried light's cone meets it, so that carried lights light the fog before it
+  int list_first;        ///< its lights are list_count entries of SurfaceList::lists(), from this one on
   int list_count;
 };
 
 /// The surfaces of a scene, sorted by material. Needs a current GL context.
 class SurfaceList {
  public:
-  /// throws  gl::Unsupported where this OpenGL cannot hold the light lists, std::invalid_argument where a part is of a
-  ///         material that the scene lacks
+  /// throws  gl::Unsupported where this OpenGL cannot hold the light lists; std::invalid_argument where the scene lacks
+  ///         a part's material
   SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
 
-  /// Takes a change of the scene's objects; set_lights() has to follow. Materials of names that it has had stay as they
-  /// are.
+  /// Takes a change of the scene's objects. A material whose name has been used before stays as it was. set_lights()
+  /// has to follow.
   ///
-  /// throws  as the constructor
+  /// throws  like the constructor
   void set_objects(const scene::Scene& scene);
-  /// Takes a change of the lights. The surfaces stay as many as they are, in their order. Where lights light surfaces
-  /// beyond their ends, they have the largest of kReaches that leaves all lists together short enough: infinity where
-  /// surfaces times lights are some millions or fewer. What is cut off by another is not bounded: at 16, which `city`
-  /// (400 lights) and `approach` (1148) have, pictures in clear air err by up to 0.3 steps of 1/255, of 35 and 8.9
-  /// at 1.
+  /// Takes a change of the lights. Number and order of the surfaces stay. Where lights light surfaces beyond their
+  /// ends, their reach is the largest of kReaches that keeps all lists together short enough: infinity where surfaces
+  /// times lights are some millions or fewer. The error of a finite reach is not bounded: at 16, as in `city` (400
+  /// lights) and `approach` (1148), pictures in clear air err by up to 0.3 steps of 1/255, of 35 and 8.9 at 1.
   ///
-  /// throws  gl::Unsupported as the constructor
+  /// throws  gl::Unsupported like the constructor
   void set_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
 
   static constexpr double kReaches[] = {std::numeric_limits<double>::infinity(), 16, 8, 4, 2, 1};
-  /// How far lights light surfaces, in their extents.
+  /// How far lights light surfaces, as a multiple of their extents.
   double reach() const { return reach_; }
-  /// How far a light of an extent does, metres.
+  /// How far a light of an extent lights surfaces, metres.
   double range_of(double extent) const { return extent > 0 ? extent * reach_ : 0; }
 
   const std::vector<Surface>& surfaces() const { return surfaces_; }
-  /// The lights that can reach a surface: indices in SceneLights, ascending. Without skipping they are
-  /// all lights, or none of a surface that is beyond lights.
+  /// The lights that can reach a surface: indices in SceneLights, ascending. Without skipping all lights, or none for a
+  /// surface beyond lights.
   std::span<const std::int32_t> lights_of(const Surface& surface) const {
     return std::span(list_).subspan(std::size_t(surface.list_first), std::size_t(surface.list_count));
   }
-  std::span<const std::int32_t> lists() const { return list_; }  ///< of all surfaces
-  /// In the order of their numbers.
+  std::span<const std::int32_t> lists() const { return list_; }  ///< lights_of() all surfaces, one after another
+  /// All materials, in the order of their numbers.
   std::vector<scene::Material> materials() const;
   bool has_panes() const { return std::ranges::any_of(materials_, &SurfaceMaterial::is_pane); }
-  /// The vertices and what is drawn of them: all triangles of a surface, or triangles of panes in an order of their
-  /// own.
+  /// The vertices, drawn as all triangles of a surface, or as triangles of panes in sorted order.
   const MeshStore& meshes() const { return meshes_; }
 
  private:
-  /// Lists the lights that reach each surface. Returns false, with some surfaces only, where that makes too many.
+  /// Lists the lights that reach each surface. Returns false, with part of the surfaces listed, if the lists have more
+  /// than `most` entries.
   bool list_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping, std::size_t most);
   const SurfaceMaterial& material(const std::string& name) const;
   MeshStore upload_meshes(const scene::Scene& scene) const;

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
-// A point covers one of a target's blocks of texels, as far as it is used.
+// Draws a point over the used part of each block of a target's texels.
 
 #include "airlight_blocks.glsl"
 
-uniform bool is_packed;  // or else all of a block is used
+uniform bool is_packed;  // otherwise all of a block is used
 uniform int block_columns;
 uniform vec2 target_size;  // texels
 
-// Texels a side of the smallest square that holds the packed ones; 0 if there are none.
+// Texels a side of the smallest square that holds the packed texels; 0 if there are none.
 int packed_size(ivec2 block) {
   uint marks[mark_words] = marks_of(block);
   int count = 0;

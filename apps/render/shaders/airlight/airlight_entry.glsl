@@ -6,10 +6,10 @@
 #include "litfog/shaders/light_buffer.glsl"
 
 uniform samplerBuffer airlight_entries;  // light, reach, bend_range, width
-uniform int pixel_step;                  // pixels between the target's texels, half of those of the grid before
+uniform int pixel_step;                  // pixels between the target's texels, half as many as in the coarser grid
 
-// Range from a light within which a grid leaves out a part of its airlight, because it bends too much for lines between
-// texels; 0 where it is flat there.
+// Range from a light within which a grid leaves out part of its airlight, which bends too much for lines between
+// texels; 0 where the airlight is flat there.
 float left_out_range(float bend_range, float width, int grid_step) {
   float range = bend_range * pow(float(grid_step), 0.8);
   return range > width ? range : 0.0;

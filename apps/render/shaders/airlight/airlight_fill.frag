@@ -1,27 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fills texels from a grid of half as many rows and columns where interpolation errs little: by a polynomial through
-// six texels or a straight line through two, each brought to the depth that the pixel sees. At other texels the lights
-// are drawn one by one.
+// six texels or a straight line through two, each corrected to the depth that the pixel sees. At other texels the
+// lights are drawn one by one.
 
-#extension GL_ARB_derivative_control : enable  // of OpenGL 4.5
+#extension GL_ARB_derivative_control : enable  // core in OpenGL 4.5
 
 #include "display_slope.glsl"
 #include "seen.glsl"
 
-uniform sampler2DRect grid;       // airlight; alpha the mean opacity of the fog before what a texel sees
-uniform sampler2DRect grid_gain;  // its derivative by that opacity
+uniform sampler2DRect grid;       // airlight; alpha: mean opacity of the fog before the surfaces that a texel sees
+uniform sampler2DRect grid_gain;  // derivative of airlight by that opacity
 uniform int pixel_step;       // pixels between the target's texels; the grid's are twice as far apart
 
-layout(location = 0) out vec4 airlight;  // alpha as the grid's
+layout(location = 0) out vec4 airlight;  // alpha as in grid
 layout(location = 1) out vec4 gain;
 
-const float most_opacity_change = 0.03;     // of opacity, within the pixel or from a texel of the grid, at 0 EV
-const float most_outlying_change = 0.003;   // of opacity, from that of both texels, at 0 EV
-const float most_error = 0.0005;            // of the display: an eighth of a step
-const float most_correction = 0.004;        // of a straight line, by a polynomial: of the display, a step
-const float most_depth_correction = 0.016;  // of a texel, to what the pixel sees: of the display, four steps
+// Limits. Changes are of opacity, at 0 EV; all others are of the display's range, where a step is about 0.004.
+const float max_opacity_change = 0.03;        // within the pixel, or between the pixel and a texel of the grid
+const float max_extrapolated_change = 0.003;  // from both texels, where their opacities do not enclose the pixel's
+const float max_error = 0.0005;               // of interpolation: an eighth of a step
+const float max_correction = 0.004;           // from a straight line to the polynomial
+const float max_depth_correction = 0.016;     // from a texel's depth to the pixel's
 
-// Scales both limits of the opacity's change above 0 EV: what a change leaves out goes with its square.
+// Scales both limits of the opacity's change above 0 EV: the error grows with the square of a change.
 float change_scale() { return inversesqrt(max(exposure_gain, 1.0)); }
 
 float largest(vec3 values) { return max(max(values.r, values.g), values.b); }
@@ -29,10 +30,10 @@ float largest(vec3 values) { return max(max(values.r, values.g), values.b); }
 struct Texel {
   vec3 airlight;
   vec3 gain;
-  float opacity_change;  // from the texel to what the pixel sees
+  float opacity_change;  // from the texel to the pixel
 };
 
-// A texel of the grid, brought to what the pixel sees.
+// A texel of the grid, corrected to the depth that the pixel sees.
 Texel grid_texel(ivec2 place, float opacity) {
   vec4 airlight_opacity = texel_at(grid, place);
   Texel texel;
@@ -46,11 +47,11 @@ bool is_inside(ivec2 place) {
   return all(greaterThanEqual(place, ivec2(0))) && all(lessThan(place, textureSize(grid)));
 }
 
-// What six texels in a row say of the place in their middle.
+// The airlight in the middle of six texels in a row.
 struct Middle {
   vec3 airlight;
   vec3 gain;
-  float error;  // of the display, about
+  float error;  // estimate, in the display's range
 };
 
 Middle middle_of(ivec2 place, ivec2 step, float opacity) {
@@ -60,8 +61,8 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   vec3 b = second.airlight;
   vec3 before = grid_texel(place - step, opacity).airlight;
   vec3 behind = grid_texel(place + 2 * step, opacity).airlight;
-  // At the grid's border not all of these are known. Then there is no polynomial, and an unknown bend of the inner two
-  // continues those of the next two texels.
+  // At the grid's border some of these are unknown. Then there is no polynomial, and an unknown inner bend is
+  // extrapolated from the next two texels.
   bool knows_first = is_inside(place - step);
   bool knows_second = is_inside(place + 2 * step);
   bool knows_all = is_inside(place - 2 * step) && is_inside(place + 3 * step);
@@ -86,21 +87,22 @@ Middle middle_of(ivec2 place, ivec2 step, float opacity) {
   float line_error = largest(most_bend * slope) * fraction;
   if (!knows_bends) line_error = 1.0;
   float polynomial_error = largest(max(abs(first_turn), abs(second_turn)) * slope) / 19.0;
-  if (!knows_all || line_error > most_correction) polynomial_error = 1.0;
+  if (!knows_all || line_error > max_correction) polynomial_error = 1.0;
   float most_change = max(abs(first.opacity_change), abs(second.opacity_change));
   float gain_error = largest(abs(first.gain - second.gain) * slope) * most_change / 4.0;
   Middle middle;
   middle.airlight = 0.5 * (a + b);
-  if (polynomial_error < most_error) {
+  if (polynomial_error < max_error) {
     middle.airlight += (first_turn + second_turn) * (3.0 / 256.0) - (first_bend + second_bend) / 16.0;
   }
   middle.gain = 0.5 * (first.gain + second.gain);
   float depth_correction = largest(max(first.gain, second.gain) * slope) * most_change;
-  bool is_far = most_change > most_opacity_change * change_scale() || depth_correction > most_depth_correction;
-  // A pixel that sees nearer or farther than both texels: their gains say nothing of a beam in between.
-  bool is_outlying = first.opacity_change * second.opacity_change > 0.0 &&
-                     min(abs(first.opacity_change), abs(second.opacity_change)) > most_outlying_change * change_scale();
-  middle.error = is_far || is_outlying ? 1.0 : max(min(line_error, polynomial_error), gain_error);
+  bool is_far = most_change > max_opacity_change * change_scale() || depth_correction > max_depth_correction;
+  // The pixel sees nearer or farther than both texels, whose gains say nothing of a beam in between.
+  float least_change = min(abs(first.opacity_change), abs(second.opacity_change));
+  bool is_extrapolated = first.opacity_change * second.opacity_change > 0.0 &&
+                         least_change > max_extrapolated_change * change_scale();
+  middle.error = is_far || is_extrapolated ? 1.0 : max(min(line_error, polynomial_error), gain_error);
   return middle;
 }
 
@@ -109,12 +111,13 @@ Middle mean_of(Middle first, Middle second) {
                 max(first.error, second.error));
 }
 
-// The middle of four texels lies on two diagonals. Its own fragment looks along the first. The fragment of the texel at
-// the corner has nothing of its own to look for, and looks along the second for it, where drivers can exchange that.
+// The middle of four texels lies on two diagonals. Its own fragment interpolates along the first. The fragment of the
+// corner texel has nothing to interpolate for itself, so it takes the second diagonal, if drivers can exchange values
+// between fragments.
 #ifdef GL_ARB_derivative_control
 const bool is_shared = true;
 
-// Of a block of 2 x 2 fragments, to the last of them from the first.
+// Passes values from the first to the last fragment of a block of 2 x 2.
 vec4 from_corner(vec4 values, bool is_corner) { return dFdyFine(dFdxFine(is_corner ? values : vec4(0.0))); }
 #else
 const bool is_shared = false;
@@ -134,15 +137,15 @@ void main() {
   bool is_corner = part == ivec2(0);
   ivec2 second_corner = corner + ivec2(1, 0);
   const ivec2 second_diagonal = ivec2(-1, 1);
-  // Of the pixel for which the fragment looks.
+  // Opacities of the pixel for which the fragment interpolates.
   vec4 opacities = seen_opacities(seen_at((is_corner ? place + 1 : place) * pixel_step), 1.0);
   float opacity = mean_of(opacities);
   // Between two texels of the grid, or across both diagonals between four.
   Middle middle = middle_of(is_corner ? second_corner : corner, is_corner ? second_diagonal : part, opacity);
   Middle other = is_shared ? from_corner(middle, is_corner) : middle_of(second_corner, second_diagonal, opacity);
   if (part == ivec2(1)) middle = mean_of(middle, other);
-  bool is_torn = opacities.w - opacities.x > most_opacity_change * change_scale();
-  if (!is_corner && (is_torn || middle.error > most_error)) discard;
+  bool is_torn = opacities.w - opacities.x > max_opacity_change * change_scale();
+  if (!is_corner && (is_torn || middle.error > max_error)) discard;
   // The corner's pixel is that of the grid's texel.
   airlight = is_corner ? texel_at(grid, corner) : vec4(max(middle.airlight, vec3(0.0)), opacity);
   gain = vec4(is_corner ? texel_at(grid_gain, corner).rgb : middle.gain, 0.0);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The part of a light's airlight that the grid before leaves out, at texels filled from that grid.
+// Adds the part of a light's airlight that the coarser grid leaves out, at texels filled from that grid.
 
 #include "airlight_constants.glsl"
 #include "airlight_light.glsl"

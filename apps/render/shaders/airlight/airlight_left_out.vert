@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// An instance is a light: a quad over the texels for which the grid before has left out a part of its airlight.
+// Draws for each light (an instance) a quad over the texels for which the coarser grid leaves out part of its airlight.
 
 #include "airlight_constants.glsl"
 #include "airlight_entry.glsl"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The airlight of a light along the ray through a pixel, to what the pixel's samples see.
+// The airlight of a light along the ray through a pixel, up to the surfaces that the pixel's samples see.
 
 #include "airlight_constants.glsl"
 #include "airlight_entry.glsl"
@@ -8,19 +8,19 @@
 
 uniform vec3 eye;
 
-#include "shaft.glsl"  // of rays from that eye
+#include "shaft.glsl"  // uses the eye declared above
 
 layout(location = 0) out vec4 airlight;
-layout(location = 1) out vec4 gain;  // derivative of airlight by the fog's opacity, at what the pixel sees
+layout(location = 1) out vec4 gain;  // derivative of airlight by the fog's opacity, at the end of the ray
 
-// Between samples that share an airlight: of opacity, half a step of the display for a lamp as bright as its white.
-// Brighter lamps are shown at less exposure.
+// Largest difference of opacity between samples that share an airlight: half a step of the display for a lamp as bright
+// as white. Brighter lamps are shown at less exposure.
 const float most_equal_opacities = 0.002;
-// The same, of the airlight that the opacity can bring.
+// Largest difference of airlight, by the opacity's largest gain, between samples that share an airlight.
 const float most_equal_airlights = 0.0006;
 
-// Bounds what a light adds to the airlight of a ray that ends between two ranges, for the fog's opacity there: of a
-// light as bright as white, or darker.
+// Upper bound of the gain, airlight per opacity of the fog, for a ray that ends between two ranges, of a light as
+// bright as white or darker.
 float largest_gain(LitfogLight light, vec3 direction, float nearest, float farthest) {
   vec3 to_light = light.position_extent.xyz - eye;
   float range = distance(direction * clamp(dot(to_light, direction), nearest, farthest), to_light);
@@ -77,8 +77,8 @@ float squared_passing_distance(vec3 position, vec3 direction) {
   return dot(offset, offset);
 }
 
-// The exposure's gain, or less: where the fog shines by itself, a display shows less of what a lamp adds. Not less for
-// cookies, whose fewer nodes would then err by up to a step where 16 lamps add up.
+// The exposure's gain, reduced where the fog shines by itself, because a display shows less of what a lamp adds there.
+// It is not reduced for cookies, whose fewer nodes would then err by up to a step where 16 lamps add up.
 float shown_exposure_at(vec4 seen) {
   if (profile == LITFOG_PROFILE_COOKIE) return exposure_gain;
   vec3 slope = display_slope(litfog_ambient_fog_color.rgb * litfog_fog_opacity(seen.x, 1.0));
@@ -93,7 +93,7 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
   light.axis_profile.w = profile;
   vec4 opacities = seen_opacities(seen, light.attenuation.w);
   light.color_intensity.rgb *= fraction;
-  LitfogLight shown = light;  // by which the glow chooses its nodes: what adds little to the display needs few
+  LitfogLight shown = light;  // decides the number of nodes: what adds little to the display needs few
   shown.color_intensity.rgb *= shown_exposure;
   float equal_opacities =
       max(most_equal_opacities, most_equal_airlights / largest_gain(light, direction, seen.x, seen.w)) /
@@ -101,7 +101,7 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
   vec3 sum = vec3(0.0);
   int first = 0;
   do {
-    int run = 1;  // of quarters that share an airlight
+    int run = 1;  // number of quarters that share an airlight
     float ranges = seen[first];
     for (; first + run < 4 && opacities[first + run] - opacities[first] < equal_opacities; ++run) {
       ranges += seen[first + run];

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The texel of the grid for which a packed one stands.
+// Finds the grid texel for which a packed texel stands.
 
 #include "airlight_blocks.glsl"
 
@@ -9,9 +9,9 @@ void main() {
   ivec2 here = ivec2(gl_FragCoord.xy);
   ivec2 packed_block = here / block_size;
   ivec2 block = packed_block / block_stride;
-  int before = morton_index(here - packed_block * block_size);  // marked texels of the block that come before
+  int before = morton_index(here - packed_block * block_size);  // number of marked texels before this one in the block
   uint marks[mark_words] = marks_of(block);
-  uint bits = 0u;  // of the word that has it
+  uint bits = 0u;  // the word that has the texel's bit
   int index = 0;
   int rest = before;
   for (int word = 0; word < mark_words; ++word) {
@@ -23,7 +23,7 @@ void main() {
     before -= count_bits(marks[word]);
   }
   if (before >= 0) discard;
-  // The bit that has so many set bits below it, by halving what is left.
+  // Finds the bit that has `before` set bits below it, by bisection.
   for (int halving = 0; halving < 5; ++halving) {
     int half_size = 16 >> halving;
     int count = count_bits(bits & (1u << uint(half_size)) - 1u);
@@ -33,5 +33,5 @@ void main() {
       index += half_size;
     }
   }
-  place = vec2(block * block_size + morton_place(index));
+  place = vec2(block * block_size + morton_position(index));
 }

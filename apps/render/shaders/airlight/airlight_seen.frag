@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// How far the eye sees through a pixel's samples: four ranges stand for them all.
+// How far the eye sees through a pixel's samples, summed up by four ranges.
 
 #include "fog_top.glsl"
 #include "sample_count.glsl"
 
-const int sample_count = SAMPLE_COUNT;  // of a pixel
+const int sample_count = SAMPLE_COUNT;  // a pixel
 
 #if SAMPLE_COUNT == 1
 uniform sampler2D depths;

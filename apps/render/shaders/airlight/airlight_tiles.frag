@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// The airlight of all lights of a kind: of those that the tile of the pixel lists.
+// Sums the airlight of the lights of one kind in the pixel's tile.
 
 #include "airlight_constants.glsl"
 #include "airlight_light.glsl"
 #include "pixel_direction.glsl"
 
-uniform bool is_packed;  // the target's texels stand for others of their block (airlight_blocks.glsl)
+uniform bool is_packed;  // the target's texels stand for other texels of their block (airlight_blocks.glsl)
 uniform sampler2DRect packed_positions;
 uniform isamplerBuffer tile_lists;  // render::AirlightTiles
 uniform ivec2 tile_count;
 uniform vec2 tile_size;  // pixels
-uniform int first_tile;  // of the kind
+uniform int first_tile;  // index in tile_lists of the kind's first tile
 
-// The first of a tile's entries in the lists, and the end of them.
+// Where a tile's entries begin and end in tile_lists.
 ivec2 tile_list(ivec2 pixel) {
   ivec2 tile = min(ivec2((vec2(pixel) + 0.5) / tile_size), tile_count - 1);
   int place = first_tile + 2 * (tile.y * tile_count.x + tile.x);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Packed texels back to their places in the grid.
+// Moves packed texels back to their positions in the grid.
 
 #include "airlight_blocks.glsl"
 #include "seen.glsl"
@@ -22,7 +22,7 @@ void main() {
     uint mask = below == 32 ? 0xffffffffu : (1u << uint(below)) - 1u;
     index += count_bits(marks[word] & mask);
   }
-  ivec2 place = block * block_stride * block_size + morton_place(index);
+  ivec2 place = block * block_stride * block_size + morton_position(index);
   float opacity = mean_of(seen_opacities(seen_at(here * pixel_step), 1.0));
   airlight = vec4(texel_at(packed_airlight, place).rgb, opacity);
   gain = texel_at(packed_gain, place);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What lights add beyond their extents, in eight slabs of the ray through a texel, added up along the ray.
+// Airlight of lights beyond their extents, in eight slabs of the ray through a texel, summed along the ray.
 
 #include "airlight_constants.glsl"
 #include "cookie.glsl"
@@ -12,7 +12,7 @@ uniform vec3 eye;
 uniform isamplerBuffer far_lights;
 uniform int first_light;
 uniform int light_count;
-uniform int row_count;  // of texels: those of the next eight slabs are above
+uniform int row_count;  // texel rows of eight slabs; the next eight slabs are above
 
 layout(location = 0) out vec4 sums[slabs_at_once];
 

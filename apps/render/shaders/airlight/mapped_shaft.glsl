@@ -7,9 +7,9 @@
 
 uniform int shaft_steps;
 
-const int halvings = 4;  // of a step, to find the edge of a shaft
+const int halvings = 4;  // bisections of a step, to find the edge of a shaft
 
-// Whether light reaches a place in the fog: from 0 to 1 over a texel at the edge of a shaft.
+// Whether light reaches a position in the fog: from 0 to 1 over a texel at the edge of a shaft.
 float lit_at(ShadowCaster caster, vec3 position) {
   vec3 from_lamp = caster.frame_from_world * (position - caster.position);
   int map = map_towards(caster, from_lamp);
@@ -22,7 +22,7 @@ float lit_at(ShadowCaster caster, vec3 position) {
   return texture(shadow_maps, vec4(uv, float(caster.first_layer + map), compared));
 }
 
-// The same of a light; 1 if it casts no shadows.
+// Whether a light reaches a position; 1 if it casts no shadows.
 float lit_fraction_at(int light_index, vec3 position) {
   int caster = texelFetch(caster_of_light, light_index).x;
   return caster < 0 ? 1.0 : lit_at(shadow_caster(caster), position);
@@ -57,7 +57,7 @@ float lit_fraction(int light_index, LitfogLight light, vec3 direction, float ran
     sum += weight;
     lit_sum += weight * lit;
     float change = lit - lit_before;
-    if (i > 0 && abs(change) > 0.5) {  // the edge of a shaft is between this step's middle and the last one's
+    if (i > 0 && abs(change) > 0.5) {  // a shaft's edge is between the middles of this and the last step
       float edge = 0.5;
       for (int k = 2; k < 2 + halvings; ++k) {
         float there = lit_at(caster, eye + direction * (air.approach + width * sinh(t - step + edge * step)));

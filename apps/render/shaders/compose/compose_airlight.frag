@@ -9,7 +9,7 @@ uniform sampler2DRect airlight;  // within the lights' extents
 
 out vec4 color;
 
-// That of lights beyond their extents, before what the pixel's samples see.
+// The airlight of lights beyond their extents, up to the surfaces that the pixel's samples see.
 vec3 far_airlight_before(vec4 seen) {
   const float most_equal = 1.02;  // ranges that share a look-up
   int ranges = 4;

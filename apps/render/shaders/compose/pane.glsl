@@ -14,7 +14,8 @@ uniform LitfogPhase phase;
 #include "far_airlight_at.glsl"
 #include "shaft.glsl"
 
-// The airlight before the fragment. That of the picture without panes is added later, by what they let through of it.
+// The airlight before the fragment. The airlight of the picture without panes is added later, times what panes let
+// through.
 vec3 airlight_before(vec3 position) {
   float range = distance(position, eye);
   vec3 direction = (position - eye) / max(range, 1.0e-6);
@@ -32,7 +33,7 @@ vec3 airlight_before(vec3 position) {
   return sum + far_airlight_at(gl_FragCoord.xy, range);
 }
 
-// Premultiplied by the opacity.
+// The pane's colour, premultiplied by its opacity.
 vec4 over_what_is_behind(vec3 seen) {
   return compose_pane(seen, airlight_before(fragment_position()), fragment_opacity());
 }

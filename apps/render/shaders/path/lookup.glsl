@@ -23,7 +23,7 @@ uniform bool is_flat_shaded;
 
 float range_attenuation(vec3 str);  // from the path's own map
 
-// "If flat shading is active ... n is the face normal"; else the vertices' shading value, interpolated.
+// "If flat shading is active ... n is the face normal"; otherwise the vertices' shading value, interpolated.
 float shading_value() {
   if (!is_flat_shaded) return directional_shade;
   return dot(moon_direction, normalize(cross(dFdx(rasterised_position), dFdy(rasterised_position))));

@@ -10,10 +10,10 @@
 #include "scene.glsl"
 #include "vertex.glsl"
 
-out vec3 diffuse_light;  // of all lights
+out vec3 diffuse_light;  // sum over all lights
 out vec3 normal;
 out vec3 half_angle[batch_size];
-out vec3 specular_light[batch_size];  // at gloss 1 and a facing of 1; 0 where diffuse is
+out vec3 specular_light[batch_size];  // at gloss 1 and a facing of 1; 0 where the diffuse term is
 out vec3 moon_half_angle;
 out vec3 moon_specular_light;
 

@@ -4,8 +4,8 @@
 // normal map's normal carried into the world (world_normal.glsl). interpolated.frag has listing 2.2.
 //
 // Where this leaves it: each light has the Basic model's terms (litfog/shaders/surface.glsl), clamped to 0, its own
-// attenuation in place of 1/dist, and a cone; Hales's fog lies before the surface. His constant registers, 224, were
-// the limit of his lights; here it is kMaxUniformLights (shader_variant.h), and more are read from a buffer.
+// attenuation instead of 1/dist, and a cone; Hales's fog lies before the surface. His constant registers, 224, were the
+// limit of his lights; here it is kMaxUniformLights (shader_variant.h), and more are read from a buffer.
 //
 // A shader is compiled for its number of lights, and the loop over a light list ends with the list; nested.frag has his
 // nested ifs instead (listings 3.1 and 3.2). object_space.frag has normal maps in object space, parallax.frag parallax

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fraction of a light that no surface keeps from a fragment, from the light's shadow map (Lance Williams
-// 1978, "Casting Curved Shadows on Curved Surfaces"): compared at four places half a texel from the fragment's, each
-// the mean of the four texels around it (William Reeves, David Salesin and Robert Cook 1987, "Rendering Antialiased
-// Shadows with Depth Maps").
+// The fraction of a light that reaches a fragment past other surfaces, by the light's shadow map (Lance Williams 1978,
+// "Casting Curved Shadows on Curved Surfaces"): compared at four positions half a texel from the fragment's, each the
+// mean of the four texels around it (William Reeves, David Salesin and Robert Cook 1987, "Rendering Antialiased Shadows
+// with Depth Maps").
 //
-// A texel holds the distance to the surface at its own middle, which is up to a texel from the place compared. There,
-// the plane of the fragment's own triangle may be nearer to the light. By how much follows from the plane, so a flat
-// surface does not shade itself at any angle.
+// A texel holds the distance to the surface at its own middle, which is up to a texel from the position compared.
+// There, the plane of the fragment's own triangle may be nearer to the light. By how much follows from the plane, so a
+// flat surface does not shade itself at any angle.
 
 #include "shadow_caster.glsl"
 
-uniform int uniform_casters[uniform_light_count];  // of the uniform lights
-uniform int first_moon_map;                        // of the casters; the directional light's, the finest first
+uniform int uniform_casters[uniform_light_count];  // one a uniform light
+uniform int first_moon_map;                        // the directional light's casters, the finest first
 uniform int end_of_moon_maps;
 
-const float rounding = 4.8e-7;    // of positions: some units in the last place
+const float rounding = 4.8e-7;    // rounding of positions: some units in the last place
 const float raster_place = 0.02;  // texels by which a rasteriser may misplace an edge
 
 vec3 receiver_normal = cross(dFdx(rasterised_position), dFdy(rasterised_position));
