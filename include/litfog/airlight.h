@@ -13,10 +13,10 @@
 
 namespace litfog {
 
-/// A light's own leg through the fog, from the lamp to where it is scattered.
+/// The lamp's leg: the light's path through the fog from the lamp to where it is scattered.
 enum class LampLeg {
-  clear,  ///< k = 0: nothing is lost on it, as in Hales's model, which knows the eye's leg only
-  fogged  ///< k = 1: the fog factor f(r) is lost on it (single scattering)
+  clear,  ///< k = 0: no loss on this leg, as in Hales's model, which has the eye's leg only
+  fogged  ///< k = 1: light is dimmed by the fog factor f(r) on this leg (single scattering)
 };
 
 /// A ray from the eye to what it sees. World space, metres.
@@ -26,7 +26,7 @@ struct EyeRay {
   double length = std::numeric_limits<double>::infinity();  ///< D, >= 0: to the surface or to the end of the fog
 };
 
-/// What is wrong with it, or nothing.
+/// What is wrong with a ray, or nothing.
 std::optional<ValueError> find_error(const EyeRay& ray);
 
 /// Largest errors of airlight(), from clear air to a visibility of 5 cm, for cones of at least 0.1 degree, |g| <= 0.9.
@@ -49,10 +49,10 @@ inline constexpr double kAirlightTypicalError = 0.01;
 inline constexpr double kPeakedAirlightTypicalError = 0.03;
 inline constexpr double kDimAirlight = 1e-10;
 
-/// Airlight of a light along a ray: what of it the fog scatters into the eye, to be multiplied with its colour,
+/// Airlight of a light along a ray: the fraction that the fog scatters into the eye, a factor of the light's colour,
 ///   A = integral over s in [0, D] of  -f'(s) a(r) cone(u) f(r)^k phase(theta)  ds
-/// with s from the eye, r and u range and angle from the light, theta the angle of scattering and a(r) = 0 beyond the
-/// light's extent. The phase function is divided by its isotropic value.
+/// where s is the distance from the eye, r and u are range and angle from the light, theta is the angle of scattering,
+/// and a(r) = 0 beyond the light's extent. The phase function is divided by its isotropic value.
 ///
 /// light      its extent is that of its threshold; its class sees the fog at its density scale
 /// atmosphere of the scene; rays end at its top, if they do, by their lengths
@@ -62,19 +62,19 @@ inline constexpr double kDimAirlight = 1e-10;
 double airlight(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray,
                 LampLeg lamp_leg = LampLeg::fogged);
 
-/// The same along many rays. Columns of different lengths are a bug of the caller's and assert.
+/// Airlight along many rays. Columns of different lengths are a bug of the caller and assert.
 ///
 /// throws     std::invalid_argument naming field, value and rule, before any result is written
 void airlight(const PlacedLight& light, const Atmosphere& atmosphere, std::span<const EyeRay> rays, LampLeg lamp_leg,
               std::span<double> airlights);
 
-/// Largest error of reference_airlight for |g| up to 0.99: this fraction of the airlight, or of a spot 1e-19 of its
-/// airlight without the cone, whichever is larger. Of a ray that comes no nearer to a light than 1 - x of its extent,
-/// kGrazingReferenceAirlightError / x of the airlight, where that is more (x below 1e-8).
+/// Largest error of reference_airlight for |g| up to 0.99: this fraction of the airlight or, for a spot, 1e-19 of its
+/// airlight without the cone, whichever is larger. For a ray that comes no nearer to a light than 1 - x of its extent,
+/// it is kGrazingReferenceAirlightError / x of the airlight where that is more (x below 1e-8).
 inline constexpr double kReferenceAirlightMaxError = 1e-10;
 inline constexpr double kGrazingReferenceAirlightError = 1e-18;
 
-/// The same by adaptive quadrature, cut wherever the integrand is not smooth. For tests and comparisons: it takes some
+/// Airlight by adaptive quadrature, cut wherever the integrand is not smooth. For tests and comparisons: it takes some
 /// 50 to 150 times as long (`litfog-bench airlight`) and allocates.
 ///
 /// max error  kReferenceAirlightMaxError                                                            (airlight_test.cpp)
@@ -82,8 +82,8 @@ inline constexpr double kGrazingReferenceAirlightError = 1e-18;
 double reference_airlight(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray,
                           LampLeg lamp_leg = LampLeg::fogged);
 
-/// What the airlight of a light cannot exceed along any ray from the eye that leaves within an angle of an axis,
-/// however long: for skipping a light for a tile of the picture, or for all of it.
+/// Upper bound of a light's airlight along any ray from the eye, however long, within an angle of an axis. For skipping
+/// a light for a tile of the picture, or for all of it.
 ///
 /// Proof. The phase function is at most p = largest_phase() and the cone 1. No point of the rays lies nearer to
 /// the light than h, the distance from the light to the cone of rays: its range from the eye times the sine of the
@@ -105,11 +105,11 @@ double reference_airlight(const PlacedLight& light, const Atmosphere& atmosphere
 double bound_airlight(const PlacedLight& light, const Atmosphere& atmosphere, const glm::dvec3& eye,
                       const glm::dvec3& direction, double half_angle, LampLeg lamp_leg = LampLeg::fogged);
 
-/// The range beyond which a light is visible on no surface and in no fog, because a(r) f(r)^k stays below a budget. The
-/// lit part of the scene lies in the sphere of this radius around the light.
+/// The range beyond which a light is visible neither on surfaces nor in fog, because a(r) f(r)^k stays below a budget.
+/// The lit part of the scene lies in the sphere of this radius around the light.
 ///
-/// Proof. a and f fall, and so does their product: where it is below the budget at one range, it is below it at all
-/// longer ones. The range returned is the extent, or the upper end of a bisection, where it is below the budget.
+/// Proof. a and f fall, and so does their product, which is below the budget at all ranges beyond one where it is
+/// below. The range returned is the extent, or the upper end of a bisection, where the product is below the budget.
 ///
 /// budget   (0, 1): a fraction of the largest component of the light's colour
 /// returns  metres, [0, extent], at most 1e-9 of itself too long (airlight_test.cpp); infinite for constant attenuation
@@ -120,7 +120,7 @@ double light_reach(const Light& light, const Fog& fog, double budget, LampLeg la
 /// Largest error of axial_airlight in ulp.
 inline constexpr double kAxialAirlightMaxUlp = 3;
 
-/// Airlight of a light along its own axis: the eye at the light, the light's leg clear, out to its extent,
+/// Airlight of a light along its own axis, with the eye at the light and the lamp's leg clear, out to the extent,
 ///   A = integral of a(r) d(1 - f(r)) over [0, extent].
 /// The fog colour intensity (solve.h) is the largest rectangle under a over 1 - f, so that A is never less.
 ///
@@ -132,7 +132,7 @@ inline constexpr double kAxialAirlightMaxUlp = 3;
 /// throws       std::invalid_argument naming field, value and rule
 double axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold = kDefaultThreshold);
 
-/// The same of a light, in the fog that its class sees.
+/// Airlight of a light along its own axis, in the fog that its class sees.
 ///
 /// throws  std::invalid_argument naming field, value and rule
 double axial_airlight(const Light& light, const Fog& fog);

@@ -10,7 +10,7 @@ namespace litfog {
 
 /// Range attenuation a(r) = min(1, 1 / (constant + linear r + quadratic r^2)) of a point or spot light, r in metres.
 /// (Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section "Lighting Algorithms"; the clamp is
-/// that of his texel formula.)
+/// from his texel formula.)
 template <typename Real>
 struct BasicAttenuation {
   Real constant = 1;   ///< C, dimensionless, finite, >= 0. Below 1 the light is clamped to 1 up to its knee.
@@ -22,7 +22,7 @@ struct BasicAttenuation {
 using Attenuation = BasicAttenuation<double>;
 using AttenuationF = BasicAttenuation<float>;
 
-/// Attenuation at which a light ends unless it says otherwise (Hales 2004: "a small attenuation value, e.g. 0.05").
+/// Default attenuation at which a light ends (Hales 2004: "a small attenuation value, e.g. 0.05").
 inline constexpr double kDefaultThreshold = 0.05;
 
 /// What is wrong with an attenuation (or threshold), or nothing.
@@ -32,16 +32,16 @@ std::optional<ValueError> find_threshold_error(double threshold);
 /// Largest error of attenuation_at in ulp: five roundings.
 inline constexpr double kAttenuationMaxUlp = 5;
 
-/// a(r), the fraction of its near brightness that a light has at a range. For inner loops: arguments are not checked.
+/// a(r), a light's brightness at a range as a fraction of its near brightness. For inner loops: no argument is checked.
 ///
-/// attenuation  a valid one (find_error())
+/// attenuation  must pass find_error()
 /// range        metres, >= 0; infinity gives the limit
 /// returns      [0, 1]
 /// max error    kAttenuationMaxUlp where the coefficients and the range are 0 or within 1e-100..1e100; beyond, the
 ///              denominator may overflow, and the result is then 0                           (attenuation_test.cpp)
 double attenuation_at(const Attenuation& attenuation, double range);
 
-/// Largest error of compute_extent in ulp, and of compute_knee.
+/// Largest errors of compute_extent and compute_knee in ulp.
 template <typename Real>
 inline constexpr double kExtentMaxUlp = std::is_same_v<Real, float> ? 1 : 2;
 inline constexpr double kKneeMaxUlp = 2;

@@ -6,7 +6,7 @@
 
 namespace litfog {
 
-/// The colour temperatures that the functions below take, in kelvin.
+/// Range of the colour temperatures below, in kelvin.
 inline constexpr double kMinColorTemperature = 1000;
 inline constexpr double kMaxColorTemperature = 25000;
 
@@ -15,17 +15,17 @@ inline constexpr double kChromaticityMaxError = 4e-4;
 
 /// CIE 1931 chromaticity (x, y) of a light source of a correlated colour temperature: a black body up to 4000 K
 /// (Krystek 1985, "An Algorithm to Calculate Correlated Colour Temperature"), daylight from 5000 K (CIE 15:2004,
-/// section 3.1), and between them both of one luminance, mixed in proportion (ANSI/IES TM-30-18).
+/// section 3.1), and between them a proportional mix of both at one luminance (ANSI/IES TM-30-18).
 ///
 /// kelvin     [kMinColorTemperature, kMaxColorTemperature]
 /// max error  kChromaticityMaxError against published chromaticities         (color_temperature_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 glm::dvec2 chromaticity_of_temperature(double kelvin);
 
-/// The same as linear sRGB (IEC 61966-2-1) whose largest component is 1. Below 1900 K the colour is outside sRGB: its
-/// blue, which would be negative, is 0.
+/// A colour temperature as linear sRGB (IEC 61966-2-1) whose largest component is 1. Below 1900 K the colour is outside
+/// sRGB: blue, which would be negative, is 0.
 ///
-/// throws     as chromaticity_of_temperature()
+/// throws     like chromaticity_of_temperature()
 glm::dvec3 color_of_temperature(double kelvin);
 
 }  // namespace litfog

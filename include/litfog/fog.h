@@ -46,7 +46,7 @@ using FogF = BasicFog<float>;
 /// What is wrong with a fog, or nothing.
 std::optional<ValueError> find_error(const Fog& fog);
 
-/// Fog as a light of a class sees it: the density times the class's scale (1/2.5 for FlightGear's runway lights).
+/// Fog as a light class sees it: the density times the class's scale (1/2.5 for FlightGear's runway lights).
 ///
 /// density_scale  >= 0, finite; clear air stays clear and total fog stays total unless the scale is 0
 /// throws         std::invalid_argument naming field, value and rule
@@ -56,10 +56,10 @@ Fog scaled(const Fog& fog, double density_scale);
 /// changes the factor by x e^-x < 0.37 times that error, and the exponential adds less than an ulp.
 inline constexpr double kFogFactorMaxError = 2.5e-16;
 
-/// Fog factor f(r), the fraction of light that the fog lets through over a range. For inner loops: arguments are not
+/// Fog factor f(r), the fraction of light that passes through the fog over a range. For inner loops: no argument is
 /// checked.
 ///
-/// fog        a valid one (find_error())
+/// fog        must pass find_error()
 /// range      metres, >= 0
 /// returns    [0, 1]
 /// max error  kFogFactorMaxError                                                (fog_test.cpp)
@@ -68,9 +68,9 @@ double fog_factor_at(const Fog& fog, double range);
 /// Largest error of opacity_at in ulp.
 inline constexpr double kOpacityMaxUlp = 4;
 
-/// Opacity 1 - f(r), without the cancellation of the plain form. For inner loops: arguments are not checked.
+/// Opacity 1 - f(r), without the cancellation of the plain form. For inner loops: no argument is checked.
 ///
-/// fog        a valid one (find_error())
+/// fog        must pass find_error()
 /// range      metres, >= 0
 /// returns    [0, 1]
 /// max error  kOpacityMaxUlp                                                    (fog_test.cpp)

@@ -13,12 +13,12 @@
 
 namespace litfog {
 
-// What the shaders read of lights (litfog/shaders/light.glsl) is held in two tables, so that a change of the fog
-// changes few numbers however many lights there are: a kind holds what its lights have in common, which includes all
-// that the fog changes; an instance is one light. The same tables serve as uniform block, buffer textures and storage
-// buffers: they have vec4 members only, so that std140, std430, texels and C++ agree. World space, metres.
+// Shaders read lights from two tables (litfog/shaders/light.glsl), so that a change of the fog changes few numbers
+// however many lights there are. A kind holds what its lights have in common, including everything that the fog
+// changes; an instance is one light. The same tables serve as uniform block, buffer textures and storage buffers: they
+// have vec4 members only, so that std140, std430, texels and C++ agree. World space, metres.
 
-/// What lights of a kind share. Airlight needs no more of the fog than its density, which the shaders scale.
+/// The values that lights of a kind share. For airlight, shaders need only the fog's density, which they scale.
 struct FogLightKind {
   /// x constant, y linear, z quadratic, w extent; infinite extents are stored as the largest float
   glm::vec4 attenuation_extent;
@@ -41,7 +41,8 @@ struct FogHeader {
   glm::vec4 ambient_fog_color;  ///< rgb linear, w 0
 };
 
-inline constexpr std::size_t kMaxFogLights = 200;  ///< each may be of another kind: OpenGL 3.3 guarantees 16 KiB
+inline constexpr std::size_t kMaxFogLights =
+    200;  ///< fits, even if all kinds differ, into the 16 KiB that OpenGL 3.3 guarantees
 
 /// The fog and the lights that light it: the uniform block of the shaders (std140).
 struct FogLightBlock {
@@ -73,8 +74,8 @@ FogLightInstance pack_fog_light_instance(const PlacedLight& light, std::size_t k
 /// throws     std::invalid_argument naming field, value and rule
 FogHeader pack_fog_header(const Atmosphere& atmosphere, std::size_t instances);
 
-/// The whole block from lights and their solutions, in order, each light of a kind of its own; unused entries are zero.
-/// For lights that stay as they are; others are a FogUpdater's (litfog/updater.h).
+/// The whole block from lights and their solutions, in order, each light with a kind of its own; unused entries are
+/// zero. For lights that do not change; others need a FogUpdater (litfog/updater.h).
 ///
 /// throws  std::invalid_argument as pack_fog_header; also for more than kMaxFogLights lights, or not one solution a
 ///         light

@@ -13,7 +13,7 @@ namespace litfog {
 
 /// A location in a file of text.
 struct InputLocation {
-  std::string file;        ///< its path, as the caller gave it
+  std::string file;        ///< path as the caller gave it
   std::size_t line = 0;    ///< from 1; 0: the file as a whole
   std::size_t column = 0;  ///< from 1, in code points; 0: the line as a whole
 };

@@ -6,17 +6,18 @@
 
 namespace litfog {
 
-/// An upper bound of the fog colour intensity of a light in any fog, for deciding that the light need not be solved. It
-/// is made once for each light; each fog then takes a few multiplications and no exponential.
+/// An upper bound of a light's fog colour intensity in any fog, for deciding that the light need not be solved.
+/// Construction is once per light; each fog then takes a few multiplications and no exponential.
 ///
 /// Proof. With a(r) the attenuation and E the extent, I = sup over r in [0, E] of (1 - f(r)) a(r). From 1 - e^-x <= x:
 ///   exp:  1 - f <= d r,     so I <= d sup r a(r)      = d M1
 ///   exp2: 1 - f <= (d r)^2, so I <= d^2 sup r^2 a(r)  = (d S)^2
 /// and from 1 - f <= 1 and a(r) <= 1/C: I <= sup a <= min(1, 1/C).
 /// - Up to the knee, a = 1 and r a(r) = r rises. Beyond it, r a(r) = 1 / (C/r + L + Q r), which rises up to
-///   r = sqrt(C/Q) and falls from there (C = 0: falls, Q = 0: rises). Hence M1 is r a(r) at sqrt(C/Q) brought between
-///   the knee and E.
-/// - r^2 a(r) rises everywhere: its derivative beyond the knee has the sign of 2 C + L r. Hence it is largest at E,
+///   r = sqrt(C/Q) and falls from there (C = 0: falls, Q = 0: rises). Hence M1 is r a(r) at sqrt(C/Q) clamped to [knee,
+///   E].
+/// - r^2 a(r) rises everywhere: its derivative beyond the knee has the sign of 2 C + L r. Hence r^2 a(r) is largest at
+/// E,
 ///   where a is the threshold t: S = E sqrt(t).
 /// Rounding. All terms are positive, so nothing cancels, and the computed values err by a few ulps of long double (a
 /// knee or extent by 2; sqrt(C/Q) by 2, of which only the square counts, because r a(r) is stationary there). They are

@@ -11,8 +11,8 @@
 
 namespace litfog {
 
-/// The part of space that a light can light: all points within a range of it and within an angle of its axis. World
-/// space, metres, radians.
+/// The part of space that a light can light: all points within a range of the light and within an angle of its axis.
+/// World space, metres, radians.
 struct LightBounds {
   glm::dvec3 position{0.0};                                ///< each coordinate at most kMaxPosition in magnitude
   glm::dvec3 direction{0.0, 0.0, -1.0};                    ///< its length is 1 within kDirectionTolerance
@@ -22,19 +22,19 @@ struct LightBounds {
   friend bool operator==(const LightBounds&, const LightBounds&) = default;
 };
 
-/// What is wrong with them, or nothing. The value of a wrong direction is its length.
+/// What is wrong with bounds, or nothing. The value of a wrong direction is its length.
 std::optional<ValueError> find_error(const LightBounds& bounds);
 
 /// The bounds of a light within a range, such as light_reach() gives (airlight.h).
 ///
-/// light  a valid one (find_error()); not checked here
+/// light  must pass find_error(); not checked here
 /// range  metres, >= 0
 inline LightBounds bounds_of(const PlacedLight& light, double range) {
   return {light.position, light.direction, range, cutoff_angle(light.light.cone)};
 }
 
-/// The largest gap at which bodies that do not touch may be taken to touch, as a fraction of the largest distance of
-/// their points from the eye (a view) or from the light (a box).
+/// Tolerance of the overlap tests: the largest gap at which separate bodies may count as touching, as a fraction of the
+/// largest distance of their points from the eye (a view) or from the light (a box).
 inline constexpr double kCullSlack = 1e-9;
 
 /// Whether a light can light anything in a box. World space, metres.

@@ -13,7 +13,7 @@
 
 namespace litfog {
 
-/// Smallest depth of a grid's first slice, metres: floats hold the squares of distances in a view of this size.
+/// Smallest depth of a grid's first slice, metres: floats can hold squares of distances in a view of this size.
 inline constexpr double kMinFirstDepth = 1e-12;
 
 /// How a view is cut into clusters: columns and rows of equal size in the picture, and slices of depth. The first slice
@@ -25,10 +25,10 @@ struct ClusterGrid {
   double first_depth = 5;  ///< metres, [kMinFirstDepth, the view's farthest depth); above its nearest with two slices
 };
 
-/// What is wrong with it, or nothing.
+/// What is wrong with a grid, or nothing.
 std::optional<ValueError> find_error(const ClusterGrid& grid);
 
-/// The lights of a cluster: `count` entries of the light list from `first` on. As a shader reads it from a buffer.
+/// The lights of a cluster: `count` entries of the light list from `first` on, in the layout of a shader's buffer.
 struct Cluster {
   std::uint32_t first = 0;
   std::uint32_t count = 0;
@@ -47,27 +47,27 @@ struct ClusterLookup {
 
 /// What the last LightClusters::update did.
 struct ClusterStatistics {
-  std::size_t lights_tested = 0;   ///< against the view; the others' clusters were kept
+  std::size_t lights_tested = 0;   ///< against the view; the other lights' clusters were kept
   std::size_t lights_in_view = 0;  ///< in at least one cluster
-  std::size_t entries = 0;         ///< of the light list
+  std::size_t entries = 0;         ///< length of the light list
 };
 
-/// Lights are enlarged by this fraction of the sum of their range and their distance from the eye, which is more than
-/// the floats here and in a shader's look-up err.
+/// Lights are enlarged by this fraction of the sum of their range and their distance from the eye, which exceeds the
+/// rounding of floats here and in a shader's look-up.
 inline constexpr double kClusterSlack = 1e-5;
 
 /// Largest fraction of the entries whose light and cluster have no point in common: in a city of 3,000 lights, and over
-/// 100 random views together. A view in which few lights are may have a larger one.
+/// 100 random views together. A view with few lights may have a larger fraction.
 inline constexpr double kClusterExcess = 0.1;
 
-/// Which lights can light what a view shows, by clusters: small parts of the view, whose fragments then go through a
-/// short list instead of all lights.
+/// Lists the lights that can light each cluster, a small part of a view, so that a fragment loops over a short list
+/// instead of all lights.
 ///
 /// No light is missing from a cluster in which it can light a point. A light is in a cluster only if no plane of the
 /// grid, no plane that touches the light's cone, and no ball around the light shrunk by the cluster's planes separates
 /// them; of the entries of many lights at most kClusterExcess have no point in common     (light_clusters_test.cpp).
-/// Lights are listed in the order of their indices. The lists depend on the lights and the view alone: not on what was
-/// held before, nor on threads.
+/// Lights are listed in the order of their indices. The lists depend on the lights and the view alone, not on earlier
+/// contents or on threads.
 ///
 /// A light costs one vector's lane of arithmetic where it is out of view; in view, about ten vectors and two for each
 /// row of clusters that it may touch. Nothing is tested again while view and light stay the same.
@@ -86,7 +86,7 @@ class LightClusters {
 
   const ClusterGrid& grid() const;
 
-  /// How many lights there are; new ones have a range of 0.
+  /// Sets the number of lights; new lights have a range of 0.
   ///
   /// count   at most (2^32 - 1) / (columns * rows * slices), so that every list can be indexed
   ///         (1,242,756 in the default grid)
@@ -94,14 +94,14 @@ class LightClusters {
   void resize(std::size_t count);
   std::size_t size() const;
 
-  /// Changes a light; the same bounds again are no change.
+  /// Changes a light. Equal bounds are no change.
   ///
   /// throws  std::invalid_argument naming field, value and rule
   void set_light(std::size_t light, const LightBounds& bounds);
 
   /// Brings the clusters up to date with a view and the changes of lights since the last call: all lights are tested
   /// where the view has changed, otherwise the changed ones and their neighbours in the order of indices. Allocates
-  /// only where it holds more than ever before.
+  /// only for more than it has ever held.
   ///
   /// returns  whether clusters() or light_list() have changed; true the first time
   /// throws   std::invalid_argument naming field, value and rule
@@ -112,12 +112,12 @@ class LightClusters {
   std::span<const Cluster> clusters() const;
   std::span<const std::uint32_t> light_list() const;
 
-  /// For the view of the last update.
+  /// The look-up for the view of the last update.
   ClusterLookup lookup() const;
   /// Index of the cluster in which a point lies, or nothing outside the view of the last update.
   std::optional<std::size_t> cluster_at(const glm::dvec3& point) const;
 
-  /// The part that a cluster is of the view of the last update.
+  /// A cluster's part of the view of the last update.
   ///
   /// cluster  below the number of clusters
   /// throws   std::invalid_argument naming field, value and rule

@@ -46,7 +46,7 @@ FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog,
 FogIntensityF solve_fog_intensity(const AttenuationF& attenuation, const FogF& fog,
                                   float threshold = float(kDefaultThreshold));
 
-/// The same of a light, in the fog that its class sees.
+/// Fog colour intensity of a light, in the fog that its class sees.
 ///
 /// throws  std::invalid_argument naming field, value and rule
 FogIntensity solve_fog_intensity(const Light& light, const Fog& fog);
@@ -54,10 +54,10 @@ FogIntensity solve_fog_intensity(const Light& light, const Fog& fog);
 /// Largest absolute error of sample_fog_intensity with 64 samples over the lights and fogs that it names.
 inline constexpr double kSampled64MaxError = 0.024;
 
-/// The same as published: the largest of N samples at r = extent * i / N, i = 1..N (Hales 2004, "Lighting in Fog").
-/// Kept as the reference of speed and error. But for rounding it never lies above the intensity. With 64 samples it is
-/// up to kSampled64MaxError too low over the OGRE wiki's table of lights from 10 m visibility up (solve_test.cpp), and
-/// by more in thicker fog or at lower thresholds.
+/// Fog colour intensity as published: the largest of N samples at r = extent * i / N, i = 1..N (Hales 2004, "Lighting
+/// in Fog"). Kept as the reference of speed and error. Except for rounding it never exceeds the intensity. With 64
+/// samples it is up to kSampled64MaxError too low over the OGRE wiki's table of lights from 10 m visibility up
+/// (solve_test.cpp), and by more in thicker fog or at lower thresholds.
 ///
 /// samples  N >= 1
 /// throws   std::invalid_argument naming field, value and rule

@@ -8,7 +8,7 @@
 
 #include "litfog/fog.h"
 #include "litfog/fog_light_block.h"
-#include "litfog/intensity_bound.h"  // by which lights are skipped: for callers to ask the same
+#include "litfog/intensity_bound.h"  // for callers: lights are skipped by this bound
 #include "litfog/light.h"
 
 namespace litfog {
@@ -16,7 +16,7 @@ namespace litfog {
 /// A light that a FogUpdater holds. Valid until the light is removed; later calls with it throw.
 struct FogLightHandle {
   std::uint32_t slot = 0;
-  std::uint32_t generation = 0;  ///< 0: of no light
+  std::uint32_t generation = 0;  ///< 0: no light
 
   friend bool operator==(const FogLightHandle&, const FogLightHandle&) = default;
 };
@@ -29,8 +29,7 @@ struct EntryRange {
   friend bool operator==(const EntryRange&, const EntryRange&) = default;
 };
 
-/// What must be uploaded again, of each table: sorted, disjoint ranges, joined over gaps that cost less than an upload
-/// call.
+/// The ranges of each table that must be uploaded again: sorted, disjoint, joined over gaps that cost less than a call.
 struct FogLightChanges {
   std::span<const EntryRange> kinds;
   std::span<const EntryRange> instances;
@@ -43,14 +42,14 @@ struct FogUpdateStatistics {
   std::size_t kinds_solved = 0;
   std::size_t kinds_skipped = 0;   ///< the other kinds held: not carried, unchanged, dark, or bounded below the budget
   std::size_t lights_skipped = 0;  ///< lights switched off, black, or of a skipped kind
-  std::size_t bytes_dirty = 0;     ///< of the entries in the ranges returned
+  std::size_t bytes_dirty = 0;     ///< size of the ranges returned
 };
 
-/// Skip budget unless the updater is told otherwise, in 1/255: half a step of an 8-bit picture.
+/// Default skip budget, in 1/255: half a step of an 8-bit picture.
 inline constexpr double kDefaultSkipBudget255 = 0.5;
 
-/// The lights of a scene as the shaders' tables (litfog/fog_light_block.h), kept up to date through every change of the
-/// visibility, at a cost for each kind of light, not for each light.
+/// Keeps the lights of a scene as the shaders' tables (litfog/fog_light_block.h), which follow every change of the
+/// visibility at a cost for each kind of light, not for each light.
 ///
 /// The caller adds, changes, switches and removes lights, then calls set_fog once a frame and uploads the ranges that
 /// it returns, by litfog::gl or otherwise. Lights that agree in all but name, colour, position and direction share a
@@ -75,7 +74,7 @@ class FogUpdater {
   FogUpdater(FogUpdater&&) noexcept;
   FogUpdater& operator=(FogUpdater&&) noexcept;
 
-  /// Adds a light, switched on. The tables have it after the next set_fog; this holds for every change below, too.
+  /// Adds a light, switched on. It is in the tables after the next set_fog, like every change below.
   ///
   /// throws  std::invalid_argument naming field, value and rule
   FogLightHandle add(const PlacedLight& light);

@@ -11,14 +11,15 @@
 
 namespace litfog {
 
-/// Largest tangent of an angle that a view spans: 84.3 degrees, up to which floats separate clusters.
+/// Largest tangent of an angle that a view may span: 84.3 degrees, up to which floats separate clusters.
 inline constexpr double kMaxViewTangent = 10;
 
-/// What a perspective picture shows. World space, metres; the picture may lie beside the middle (stereo, tiles).
+/// The part of space that a perspective picture shows. World space, metres; the picture may be off centre (stereo,
+/// tiles).
 struct View {
   glm::dvec3 eye{0.0};                 ///< each coordinate at most kMaxPosition in magnitude
   glm::dvec3 forward{0.0, 0.0, -1.0};  ///< its length is 1 within kDirectionTolerance
-  glm::dvec3 up{0.0, 1.0, 0.0};        ///< likewise; orthogonal to forward within kDirectionTolerance
+  glm::dvec3 up{0.0, 1.0, 0.0};        ///< its length is 1, and it is orthogonal to forward, within kDirectionTolerance
   // Tangents of the angles at which the picture's edges lie, from forward to the right and up: [-kMaxViewTangent,
   // kMaxViewTangent], left < right, bottom < top.
   double left = -1;
@@ -31,8 +32,8 @@ struct View {
   friend bool operator==(const View&, const View&) = default;
 };
 
-/// What is wrong with it, or nothing. The value of a wrong forward or up is its length, of an up that is not orthogonal
-/// its dot product with forward.
+/// What is wrong with a view, or nothing. The value of a wrong forward or up is its length, or its dot product with
+/// forward where up is not orthogonal.
 std::optional<ValueError> find_error(const View& view);
 
 /// Columns right, up and forward, orthonormal to rounding, of a view that has passed find_error().
@@ -60,8 +61,8 @@ class ViewFrustum {
 
  private:
   glm::dvec3 eye_;
-  std::array<glm::dvec3, 8> corners_;  // from the eye
-  double size_ = 0;                    // their largest distance from the eye
+  std::array<glm::dvec3, 8> corners_;  // relative to the eye
+  double size_ = 0;                    // largest distance of corners_ from the eye
 };
 
 }  // namespace litfog

@@ -40,14 +40,14 @@ LITFOG_API const char* litfog_version(void);
 typedef int32_t litfog_status;
 enum {
   LITFOG_OK = 0,
-  LITFOG_INVALID_ARGUMENT = 1,  ///< of any call: a value breaks its rule
-  LITFOG_BAD_FILE = 2,          ///< of litfog_read_light: cannot be used; the error begins with file:line:column
-  LITFOG_OUT_OF_MEMORY = 3,     ///< of any call that is not said to allocate nothing
-  LITFOG_FAULT = 4              ///< of litfog itself: please report it
+  LITFOG_INVALID_ARGUMENT = 1,  ///< from any call: a value breaks its rule
+  LITFOG_BAD_FILE = 2,          ///< litfog_read_light cannot use the file; the error begins with file:line:column
+  LITFOG_OUT_OF_MEMORY = 3,     ///< from any call that is not said to allocate nothing
+  LITFOG_FAULT = 4              ///< a bug in litfog: please report it
 };
 
-/// What the last call that failed on this thread said, in one sentence of UTF-8, in which the name of a file is the
-/// caller's bytes; empty if none has. Calls that succeed leave it. Never NULL. Valid until the next call that fails on
+/// The error of the last call that failed on this thread; empty if none has. One sentence of UTF-8, except that a
+/// file's name is the caller's bytes. Calls that succeed leave it. Never NULL. Valid until the next call that fails on
 /// this thread, or until the thread ends.
 LITFOG_API const char* litfog_last_error(void);
 
@@ -129,12 +129,12 @@ typedef struct litfog_placed_light {
   litfog_light light;
   double position[3];   ///< each coordinate at most LITFOG_MAX_POSITION in magnitude
   double direction[3];  ///< axis of the cone; its length is 1 within LITFOG_DIRECTION_TOLERANCE
-  int32_t carried;      ///< not 0: by the eye's vehicle; such lights, and only they, light the fog by Hales's term
+  int32_t carried;      ///< not 0: carried by the eye's vehicle; only carried lights light the fog by Hales's term
 } litfog_placed_light;
 
 /// A white point light with a(r) = 1 and the default threshold, to change from.
 LITFOG_API litfog_status litfog_default_light(litfog_light* light);
-/// The same at the origin along -z, not carried.
+/// A light of litfog_default_light at the origin along -z, not carried.
 LITFOG_API litfog_status litfog_default_placed_light(litfog_placed_light* light);
 
 /// Says what is wrong with a struct, by LITFOG_INVALID_ARGUMENT and litfog_last_error(). Every other call checks what
@@ -159,7 +159,7 @@ LITFOG_API litfog_status litfog_read_light(const char* path, litfog_light* light
 enum {
   LITFOG_SOLVE_OK = 0,
   LITFOG_SOLVE_NOT_CONVERGED = 1,  ///< intensity is a lower bound, taken at peak_range
-  LITFOG_SOLVE_INVALID = 2         ///< of a batch: a value breaks its rule; intensity, peak range and extent are 0
+  LITFOG_SOLVE_INVALID = 2         ///< batch only: a value breaks its rule; intensity, peak range and extent are 0
 };
 
 typedef struct litfog_fog_intensity {
@@ -172,16 +172,16 @@ typedef struct litfog_fog_intensity {
 /// Fog colour intensity of a light in the fog that its class sees.
 LITFOG_API litfog_status litfog_solve(const litfog_light* light, const litfog_fog* fog, litfog_fog_intensity* solution);
 
-/// The same as published (Hales 2004): the largest of `samples` samples, which is too low.
+/// Fog colour intensity as published (Hales 2004): the largest of `samples` samples, which is too low.
 ///
-/// samples  >= 1; the time taken is in proportion
+/// samples  >= 1; time is proportional to it
 LITFOG_API litfog_status litfog_sample(const litfog_light* light, const litfog_fog* fog, int32_t samples,
                                        litfog_fog_intensity* solution);
 
 // --- batch (litfog/batch.h): SIMD; allocates nothing but errors ---
 
-/// Lights, a column a parameter. Columns hold `count` values; threshold and density may also hold a single one for all,
-/// with a count of 1.
+/// Lights, one column a parameter. Columns hold `count` values; threshold and density may also hold a single value for
+/// all lights, with a count of 1.
 typedef struct litfog_batch_lights {
   size_t count;
   const double* constant;
@@ -193,8 +193,8 @@ typedef struct litfog_batch_lights {
   size_t density_count;
 } litfog_batch_lights;
 
-/// Where the results go: columns of `count` values. One that overlaps another, or a column of the lights, is refused.
-/// Of the columns but intensity, those that are NULL are not computed.
+/// Where the results go: columns of `count` values. A column that overlaps another, or a column of the lights, is
+/// refused. Every column but intensity may be NULL, and is then not computed.
 typedef struct litfog_batch_solutions {
   double* intensity;
   double* peak_range;  ///< metres
@@ -222,7 +222,7 @@ typedef struct litfog_batch_solutions_f {
 
 /// litfog_solve for columns of lights.
 ///
-/// invalid  how many lights are invalid, which is no failure of the call; may be NULL
+/// invalid  number of invalid lights, which are no failure of the call; may be NULL
 LITFOG_API litfog_status litfog_solve_batch(int32_t fog_mode, const litfog_batch_lights* lights,
                                             const litfog_batch_solutions* solutions, size_t* invalid);
 LITFOG_API litfog_status litfog_solve_batch_f(int32_t fog_mode, const litfog_batch_lights_f* lights,
@@ -231,8 +231,8 @@ LITFOG_API litfog_status litfog_solve_batch_f(int32_t fog_mode, const litfog_bat
 // --- airlight (litfog/airlight.h) ---
 
 enum {
-  LITFOG_LAMP_LEG_CLEAR = 0,  ///< k = 0: nothing is lost on the way from the lamp, as in Hales's model
-  LITFOG_LAMP_LEG_FOGGED = 1  ///< k = 1: the fog factor is lost on it (single scattering)
+  LITFOG_LAMP_LEG_CLEAR = 0,  ///< k = 0: no loss between lamp and scattering, as in Hales's model
+  LITFOG_LAMP_LEG_FOGGED = 1  ///< k = 1: the fog factor dims light on that leg (single scattering)
 };
 
 typedef struct litfog_eye_ray {
@@ -241,17 +241,18 @@ typedef struct litfog_eye_ray {
   double length;        ///< >= 0: to the surface or to the end of the fog; may be infinity
 } litfog_eye_ray;
 
-/// Airlight of a light along rays: what of it the fog scatters into the eye, to be multiplied with its colour.
+/// Airlight of a light along rays: the fraction that the fog scatters into the eye, a factor of the light's colour.
 ///
 /// lamp_leg   LITFOG_LAMP_LEG_*
 /// airlights  one a ray, [0, 1] in isotropic fog; refused where they overlap the rays
 LITFOG_API litfog_status litfog_airlight(const litfog_placed_light* light, const litfog_atmosphere* atmosphere,
                                          const litfog_eye_ray* rays, size_t count, int32_t lamp_leg, double* airlights);
 
-/// Airlight of a light along its own axis, [0, 1]: the eye at the light, the light's leg clear, out to its extent.
+/// Airlight of a light along its own axis, [0, 1], with the eye at the light and the lamp's leg clear, out to the
+/// extent.
 LITFOG_API litfog_status litfog_axial_airlight(const litfog_light* light, const litfog_fog* fog, double* airlight);
 
-/// The range in metres beyond which a light shows on no surface and in no fog.
+/// The range in metres beyond which a light is visible neither on surfaces nor in fog.
 ///
 /// budget    (0, 1): over the largest component of the light's colour
 /// lamp_leg  LITFOG_LAMP_LEG_*
@@ -292,7 +293,7 @@ typedef struct litfog_fog_light_block {
 LITFOG_API litfog_status litfog_pack_fog_header(const litfog_atmosphere* atmosphere, size_t instances,
                                                 litfog_fog_header* header);
 
-/// The whole block from lights that stay as they are, each solved in the fog; others are an updater's.
+/// The whole block from lights, each solved in the fog. For lights that do not change; others need an updater.
 ///
 /// count  at most LITFOG_MAX_FOG_LIGHTS
 LITFOG_API litfog_status litfog_pack_fog_light_block(const litfog_atmosphere* atmosphere,
@@ -304,11 +305,11 @@ LITFOG_API litfog_status litfog_pack_fog_light_block(const litfog_atmosphere* at
 /// The lights of a scene as tables of kinds and instances, kept up to date through every change of the visibility.
 typedef struct litfog_updater litfog_updater;
 
-/// A light that an updater holds. Calls refuse the handle of a light that has been removed, but cannot tell a handle of
-/// another updater from their own.
+/// A light that an updater holds. Calls refuse the handle of a removed light, but cannot detect a handle of another
+/// updater.
 typedef struct litfog_light_handle {
   uint32_t slot;
-  uint32_t generation;  ///< 0: of no light
+  uint32_t generation;  ///< 0: no light
 } litfog_light_handle;
 
 /// Entries [begin, end) of a table.
@@ -317,7 +318,7 @@ typedef struct litfog_entry_range {
   size_t end;
 } litfog_entry_range;
 
-/// What must be uploaded again, of each table: sorted, disjoint ranges. Valid as the tables are.
+/// The ranges of each table that must be uploaded again, sorted and disjoint. Valid as long as the tables.
 typedef struct litfog_fog_light_changes {
   const litfog_entry_range* kinds;
   size_t kind_count;
@@ -349,19 +350,19 @@ typedef struct litfog_fog_update_statistics {
 LITFOG_API litfog_status litfog_updater_create(double skip_budget_255, litfog_updater** updater);
 LITFOG_API void litfog_updater_destroy(litfog_updater* updater);
 
-/// Adds a light, switched on. The tables have it after the next set_fog; this holds for every change below, too.
+/// Adds a light, switched on. It is in the tables after the next set_fog, like every change below.
 LITFOG_API litfog_status litfog_updater_add(litfog_updater* updater, const litfog_placed_light* light,
                                             litfog_light_handle* handle);
 /// Replaces a light. If it is switched off, it stays so.
 LITFOG_API litfog_status litfog_updater_change(litfog_updater* updater, litfog_light_handle handle,
                                                const litfog_placed_light* light);
-/// is_on  0: off, which is black in the tables; else on
+/// is_on  0: off, which is black in the tables; otherwise on
 LITFOG_API litfog_status litfog_updater_switch_light(litfog_updater* updater, litfog_light_handle handle,
                                                      int32_t is_on);
 LITFOG_API litfog_status litfog_updater_remove(litfog_updater* updater, litfog_light_handle handle);
 
-/// Brings the tables up to date with the fog, clear air before the first call, and with all changes of lights.
-/// Allocates nothing. Once a frame.
+/// Brings the tables up to date with the fog (clear air before the first call) and with all changes of lights. Call it
+/// once a frame. Allocates nothing.
 LITFOG_API litfog_status litfog_updater_set_fog(litfog_updater* updater, const litfog_fog* fog,
                                                 litfog_fog_light_changes* changes);
 
@@ -396,7 +397,7 @@ LITFOG_API litfog_status litfog_bounds_of(const litfog_placed_light* light, doub
 LITFOG_API litfog_status litfog_can_light(const litfog_light_bounds* bounds, const double* low, const double* high,
                                           int32_t* can);
 
-/// What a perspective picture shows.
+/// The part of space that a perspective picture shows.
 typedef struct litfog_view {
   double eye[3];
   double forward[3];  ///< unit
@@ -444,8 +445,8 @@ typedef struct litfog_cluster {
   uint32_t count;
 } litfog_cluster;
 
-/// The lists, and how a shader finds the cluster of a fragment (ClusterLookup). Valid until the next update. Before
-/// the first all clusters are empty.
+/// The lists, and how a shader finds the cluster of a fragment (ClusterLookup). Valid until the next update. Before the
+/// first update all clusters are empty.
 typedef struct litfog_cluster_lists {
   const litfog_cluster* clusters;
   size_t cluster_count;
@@ -480,20 +481,19 @@ LITFOG_API litfog_status litfog_light_clusters_lists(const litfog_light_clusters
 // --- shaders (litfog/shaders/*.glsl), embedded in the library ---
 
 typedef struct litfog_shader_text {
-  const char* name;  ///< by which it is included: "litfog/shaders/fog.glsl"
+  const char* name;  ///< as in an #include line: "litfog/shaders/fog.glsl"
   const char* text;
 } litfog_shader_text;
 
 /// The shader files as installed, for whatever resolves a host's `#include` lines. Never freed.
 LITFOG_API litfog_status litfog_shader_texts(const litfog_shader_text** texts, size_t* count);
 
-/// A shader with litfog's files in place of the lines that include them, each once, for drivers that know no
-/// `#include`. Other lines stay as they are, `#version` first; `#line` keeps their numbers, by files in the order of
-/// inclusion.
+/// Expands a shader's lines that include litfog's files, each file once, for drivers without `#include`. Other lines
+/// stay as they are, `#version` first; `#line` keeps their numbers, by files in the order of inclusion.
 ///
 /// source     may include litfog's files only; others are an error
 /// expanded   at least `size` bytes; may be NULL where size is 0
-/// length     of the whole text without its NUL; expanded is written only where size is larger
+/// length     the whole text's, without its NUL; expanded is written only if size is larger
 LITFOG_API litfog_status litfog_expand_shader(const char* source, char* expanded, size_t size, size_t* length);
 
 #ifdef __cplusplus

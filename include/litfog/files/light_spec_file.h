@@ -47,9 +47,9 @@ namespace litfog {
 ///         "half_angle_deg": 30,                 where the light ends
 ///         "beam_angle_deg": 11,                 full angle at 50 % of the peak; [12, 6], horizontal and vertical, of
 ///                                               an elliptical beam, which has no samples
-///         "field_angle_deg": 22,                full angle at 10 %, likewise
+///         "field_angle_deg": 22,                full angle at 10 %, in the same form
 ///         "samples": [{"angle_deg": 0, "intensity": 1, "weight": 1}],        by increasing angle; weight optional
-///         "photometry": "lamp.ies"              in place of samples: any photometric file that read_luminaire() reads
+///         "photometry": "lamp.ies"              instead of samples: any photometric file that read_luminaire() reads
 ///                                               (litfog/photometry/luminaire.h), relative to this file; without a
 ///                                               range the light ends where its peak gives 1 lx. The light's peak
 ///                                               is the largest mean over the turn, which keeps the flux
@@ -66,7 +66,7 @@ struct VisualThreshold {
   std::string_view source;
 };
 
-/// The pilot's are those in use for runway visual range and are quoted at second hand, not from the Annex's own text.
+/// The pilot's thresholds are those in use for runway visual range, quoted at second hand, not from the Annex's text.
 inline constexpr std::array<VisualThreshold, 5> kVisualThresholds{{
     {"dark night", 2e-7, "what a mariner sees by night, 33 CFR 84.14"},
     {"night", 8e-7, "what a pilot sees by night, commonly given after ICAO Annex 3, attachment D"},
@@ -85,7 +85,7 @@ struct RangeSpec {
     double weight = 1;
   };
 
-  /// What the light gives on its axis at a range.
+  /// The illuminance on the light's axis at a range.
   struct Illuminance {
     double range = 1;  ///< metres, > 0
     double lux = 1;    ///< > 0
@@ -104,7 +104,7 @@ struct RangeSpec {
   std::vector<Sample> samples = {};
 };
 
-/// Full angles in the horizontal and the vertical plane through a beam's axis, equal of a round beam.
+/// Full angles in the horizontal and the vertical plane through a beam's axis; equal for a round beam.
 struct FullAngles {
   double horizontal;  ///< radians
   double vertical;    ///< radians
@@ -130,19 +130,18 @@ struct ConeSpec {
   std::optional<FullAngles> beam_angle = {};
   std::optional<FullAngles> field_angle = {};
   std::vector<Sample> samples = {};
-  std::optional<std::string> photometry = {};  ///< a path: the file's own folder stands before a relative one
+  std::optional<std::string> photometry = {};  ///< path; a relative one is prefixed with the file's folder
 };
 
 struct LightSpecText;
 
-/// What a light-spec file says. Its figures are of the right types; whether a light can have them is for the fits to
-/// say.
+/// The contents of a light-spec file. Types are right, but whether a light can have the values is for the fits to say.
 struct LightSpec {
   std::string file = {};  ///< its path
   std::string name = {};
   std::vector<std::string> source = {};
   glm::dvec3 color{1.0};
-  std::optional<double> color_temperature = {};  ///< kelvin, of which the color was made
+  std::optional<double> color_temperature = {};  ///< kelvin, if the color was given by it
   double density_scale = 1;
   std::optional<RangeSpec> range = {};
   std::optional<ConeSpec> cone = {};
@@ -156,7 +155,7 @@ struct LightSpec {
   ///
   /// field  a member of this struct, as in "range.samples[3].attenuation"; if the file lacks it, the error is at the
   ///        samples or at the nearest member that it is missing from
-  /// value  to show if the file lacks the field; else its own text is shown
+  /// value  shown if the file lacks the field; otherwise the file's own text is shown
   InputError error_at(std::string_view field, std::string_view value, std::string_view rule) const;
 };
 

@@ -27,13 +27,13 @@ enum class AttenuationFamily {
   mixed,      ///< L r = Q r^2 at the extent: of all mixes, the terms there have the least sum of squares
 };
 
-/// What a light's range attenuation shall be: an extent, or samples (two or more), or an extent and samples.
+/// The goal of an attenuation fit: an extent, or samples (two or more), or an extent and samples.
 struct AttenuationTarget {
   double threshold = kDefaultThreshold;  ///< [1e-100, 1): the attenuation at the extent
   std::optional<double> extent = {};     ///< metres, 1e-30 to 1e30; met exactly
-  std::optional<double> constant = {};   ///< C: 0 to 1e100. Absent: free if there are samples, 1 if there are none
+  std::optional<double> constant = {};   ///< C: 0 to 1e100. Absent: free with samples, 1 without
   std::vector<AttenuationSample> samples = {};
-  AttenuationFamily family = AttenuationFamily::quadratic;  ///< of an extent without samples; else not read
+  AttenuationFamily family = AttenuationFamily::quadratic;  ///< for an extent without samples; otherwise not read
   /// For measured tables with outliers: a residual costs its square only up to a scale s that follows from the table
   /// (AttenuationFit::loss_scale), and beyond it linearly (soft L1: 2 s^2 (sqrt(1 + (residual / s)^2) - 1)).
   bool is_robust = false;
@@ -45,10 +45,10 @@ std::optional<TargetError> find_error(const AttenuationTarget& target);
 enum class AttenuationFitStatus {
   optimal,     ///< no attenuation that meets the extent (and constant) has a smaller objective by more than 1e-7 of it
   unproven,    ///< the best found; the search ended before it could rule out a better one
-  infeasible,  ///< the same best fit, but of a target that no attenuation meets; the sentence says what could be met
+  infeasible,  ///< no attenuation meets the target: the best fit of it; the sentence says what could be met
 };
 
-/// What holds an attenuation's coefficients where they are.
+/// The constraint that holds an attenuation's coefficients.
 enum class AttenuationConstraint { extent, constant_given, constant_zero, linear_zero, quadratic_zero };
 
 /// "extent", "constant given", "constant = 0", ...
@@ -60,22 +60,22 @@ struct AttenuationFit {
   Attenuation attenuation = {};
   double threshold = kDefaultThreshold;
   AttenuationFitStatus status = AttenuationFitStatus::optimal;
-  std::string sentence = {};           ///< the outcome in words
-  double objective = 0;                ///< sum of weight * residual^2 (robust: * soft L1 of it)
+  std::string sentence = {};           ///< the outcome as text
+  double objective = 0;                ///< sum of weight * residual^2 (robust: weight * soft L1)
   double rms_error = 0;                ///< root of the weighted mean of error^2
   double largest_error = 0;            ///< signed: the largest in magnitude of the samples with weight
-  std::vector<double> residuals = {};  ///< a sample each
+  std::vector<double> residuals = {};  ///< one a sample
   /// Robust: the scale s = 1.345 * 1.4826 * the median of the n - p largest |residuals| of the n samples, p the free
   /// coefficients, about the fit of (nearly) least absolute residuals; at least 1e-6. Infinite otherwise.
   double loss_scale = std::numeric_limits<double>::infinity();
   std::vector<AttenuationConstraint> active = {};
-  /// Of constant, linear, quadratic, row by row, from the residuals' own variance; 0 for what a constraint holds.
-  /// Absent where the samples do not identify them or leave no degrees of freedom.
+  /// Covariance of constant, linear, quadratic, row by row, from the residuals' own variance; 0 for what a constraint
+  /// holds. Absent where the samples do not identify them or leave no degrees of freedom.
   std::optional<std::array<double, 9>> covariance = {};
   /// Largest violation of the conditions of optimality. A slope is in units of what it would be if all residuals
   /// were 1.
   double kkt_residual = 0;
-  std::size_t iterations = 0;  ///< of the descents
+  std::size_t iterations = 0;  ///< descent steps
   std::size_t boxes = 0;       ///< boxes of coefficients examined for the proof that no others are better
   double milliseconds = 0;
 };

@@ -12,10 +12,10 @@ namespace litfog {
 /// What is wrong with the target of a fit.
 struct TargetError {
   ValueError error;
-  std::optional<std::size_t> sample = std::nullopt;  ///< the sample that the field belongs to; absent: to the target
+  std::optional<std::size_t> sample = std::nullopt;  ///< the sample with the field; absent: the target itself
 };
 
-/// As one sentence: "samples[3].attenuation = 0: must be in [1e-100, 1]".
+/// The error as one sentence: "samples[3].attenuation = 0: must be in [1e-100, 1]".
 std::string to_string(const TargetError& error);
 
 }  // namespace litfog

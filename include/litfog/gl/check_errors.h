@@ -3,7 +3,7 @@
 
 namespace litfog::gl {
 
-/// Throws if a GL error is pending, which is a bug of the caller's, and clears it.
+/// Clears a pending GL error, which is a bug of the caller, and throws.
 ///
 /// action   what was done, for the message
 /// throws   std::logic_error naming the error and `action`; std::bad_alloc where OpenGL has run out of memory

@@ -12,7 +12,7 @@ namespace litfog::gl {
 
 /// The uniform buffer that holds a FogLightBlock.
 ///
-/// threads  as GlName
+/// threads  like GlName
 class FogLightBuffer {
  public:
   FogLightBuffer();
@@ -21,7 +21,7 @@ class FogLightBuffer {
   void upload(const FogLightBlock& block);
   /// Uploads the fog alone.
   void upload(const FogHeader& header);
-  /// Uploads the fog and what has changed of a FogUpdater's tables; the whole tables the first time.
+  /// Uploads the fog and the changed ranges of a FogUpdater's tables; the first time the whole tables.
   ///
   /// throws  std::invalid_argument for more kinds or instances than kMaxFogLights
   void upload(const FogHeader& header, std::span<const FogLightKind> kinds, std::span<const FogLightInstance> instances,
@@ -38,7 +38,7 @@ class FogLightBuffer {
 /// the fog, the ambient colour and all members of the first, second and last kind and instance.
 ///
 /// throws   Unsupported naming member, driver's offset and ours
-/// threads  as GlName
+/// threads  like GlName
 void check_fog_light_layout(const Program& program);
 
 }  // namespace litfog::gl

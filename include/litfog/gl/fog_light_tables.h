@@ -14,11 +14,11 @@ namespace litfog::gl {
 /// A FogUpdater's tables, of any length, in two buffers that shaders read as buffer textures or as storage buffers
 /// (litfog/shaders/light_buffer.glsl).
 ///
-/// threads  as GlName
+/// threads  like GlName
 class FogLightTables {
  public:
-  /// Uploads what has changed; the whole of a table that has outgrown its buffer, which it does the first time. That
-  /// takes the place of what the active texture unit has bound to GL_TEXTURE_BUFFER, so bind textures afterwards.
+  /// Uploads the changed ranges, or the whole table the first time and when it outgrows its buffer. That replaces the
+  /// active texture unit's binding of GL_TEXTURE_BUFFER, so bind textures afterwards.
   void upload(std::span<const FogLightKind> kinds, std::span<const FogLightInstance> instances,
               const FogLightChanges& changes);
 
@@ -60,7 +60,7 @@ class FogLightTables {
 /// out, with the C++ structs': all members of the first entry, and the distance of entries.
 ///
 /// throws   Unsupported naming member, driver's offset and ours, or where this OpenGL has no storage buffers
-/// threads  as GlName
+/// threads  like GlName
 void check_fog_light_storage_layout(const Program& program);
 
 }  // namespace litfog::gl

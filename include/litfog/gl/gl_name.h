@@ -22,7 +22,7 @@ class GlName {
     return *this;
   }
 
-  unsigned id() const { return id_; }  ///< 0 where it was moved from
+  unsigned id() const { return id_; }  ///< 0 if moved from
 
  private:
   unsigned id_;

@@ -9,8 +9,8 @@ namespace litfog::gl {
 /// An OpenGL 3.3 core context through EGL without a display or window, current on the creating thread.
 /// Takes the first EGL device that gives one (a GPU before a software rasteriser), else Mesa's surfaceless platform.
 ///
-/// It leaves the contexts of others alone: what was current on the thread is current again when it is destroyed, and
-/// EGL's display, which the process shares, stays initialised until the process ends.
+/// Other contexts are left alone: destroying this one makes the thread's previous context current again, and EGL's
+/// display, which the process shares, stays initialised until the process ends.
 ///
 /// threads  any number of threads may make, use and destroy contexts of their own at once. One context belongs to the
 ///          thread that made it, which destroys it; contexts nested on a thread are destroyed in reverse order.

@@ -11,7 +11,7 @@ namespace litfog::gl {
 
 /// A linked GL program of a vertex, perhaps a geometry, and a fragment shader.
 ///
-/// threads  as GlName
+/// threads  like GlName
 class Program {
  public:
   /// Compiles two or three of the given files behind `#version 330 core`; in WebGL 2, for which Emscripten compiles

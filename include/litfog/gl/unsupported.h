@@ -5,7 +5,7 @@
 
 namespace litfog::gl {
 
-/// The machine lacks what is needed: no EGL, no OpenGL 3.3 context, an extension or limit. One sentence.
+/// Thrown where the machine lacks EGL, an OpenGL 3.3 context, an extension or a limit. what() is one sentence.
 struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

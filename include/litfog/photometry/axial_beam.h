@@ -15,13 +15,13 @@ namespace litfog {
 struct AxialSample {
   double angle;      ///< from the axis, radians in [0, pi]
   double mean;       ///< candela, over the turn
-  double deviation;  ///< candela, the largest from the mean on the circle, in magnitude
+  double deviation;  ///< candela: largest magnitude of the difference from the mean on the circle
 };
 
-/// A distribution as a beam about an axis, by circles about it. Each circle is taken once, when it is first asked for.
+/// A distribution as a beam about an axis, by circles about that axis. Each circle is sampled once, when first needed.
 class AxialBeam {
  public:
-  /// distribution  outlives the beam and does not change
+  /// distribution  must outlive the beam and not change
   /// axis          luminaire frame, of any length but 0
   /// throws        std::invalid_argument naming field, value and rule
   AxialBeam(const IntensityDistribution& distribution, const glm::dvec3& axis);
@@ -33,10 +33,10 @@ class AxialBeam {
 
   /// Intensity against the angle from the axis, as the mean over the turn: what a cone about the axis is fitted to. If
   /// the axis is the photometric one of type C or its opposite, the angles are the measured ones and the mean is that
-  /// of what is linear between the planes; else the angles are every quarter degree from 0 to pi, in a finer grid the
-  /// first hundred in its smallest step (at least 0.01 degrees), and the mean is over 72 to 360 directions. Angles that
-  /// were not measured are dark: from the first and last measured ones, the profile goes on in their steps to 0 and pi
-  /// with intensity 0, which begins 0.01 degrees beyond a lit one.
+  /// of linear interpolation between the planes; otherwise the angles are every quarter degree from 0 to pi, in a finer
+  /// grid the first hundred in its smallest step (at least 0.01 degrees), and the mean is over 72 to 360 directions.
+  /// Angles that were not measured are dark: from the first and last measured ones, the profile goes on in their steps
+  /// to 0 and pi with intensity 0, which begins 0.01 degrees beyond a lit one.
   ///
   /// returns   increasing angles from 0 to pi
   std::vector<AxialSample> profile();
@@ -45,7 +45,7 @@ class AxialBeam {
   /// with the mean taken over the turn. The mean is the closest symmetric beam, so no cone profile can have a smaller
   /// relative rms error than this. 0 for a symmetric beam, at most 1.
   ///
-  /// limit      >= 0; the search ends where the asymmetry is above it: the result is then only known to be so, too
+  /// limit      >= 0; the search ends once the asymmetry is known to be above it, and the result is then a lower bound
   /// max error  0.001 for beams that change little within a degree: on every second circle of the profile. About the
   ///            photometric axis of type C and its opposite 1e-9, for the intensity as interpolated between angles at
   ///            most 60 degrees apart                                                           (axial_beam_test.cpp)
@@ -56,7 +56,7 @@ class AxialBeam {
 
   const IntensityDistribution* distribution_;
   glm::dvec3 axis_;
-  std::unique_ptr<Circles> circles_;  // none about the grid's own axis
+  std::unique_ptr<Circles> circles_;  // null about the grid's own axis
   std::optional<double> asymmetry_;   // once a search has gone to its end
 };
 

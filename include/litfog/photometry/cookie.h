@@ -11,12 +11,12 @@
 
 namespace litfog {
 
-/// Texels along the edge of a cookie: 1 to this. The largest cookie has 400 MB of texels.
+/// Largest number of texels along the edge of a cookie: 400 MB of texels.
 inline constexpr int kMaxCookieSize = 4096;
 
 /// A light's full angular shape as a cube map (Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights
-/// in OpenGL"). It is looked up by directions in the light's frame: the axis is -z, as the default direction of a
-/// placed light is, and +y is up.
+/// in OpenGL"), looked up by directions in the light's frame: the axis is -z, like the default direction of a placed
+/// light, and +y is up.
 struct Cookie {
   int size = 0;  ///< texels along an edge, [1, kMaxCookieSize]
   /// Intensity over the light's peak, [0, 1]: 6 * size * size texels, faces +x -x +y -y +z -z, each with its rows and
@@ -44,11 +44,11 @@ Cookie bake_cookie(const IntensityDistribution& distribution, int size, const gl
 /// Intensity over the light's peak towards a direction: bilinear between the four nearest texels of its face, as a cube
 /// map without seamless filtering is looked up.
 ///
-/// cookie     a valid one (find_error()); not checked here
+/// cookie     must pass find_error(); not checked here
 /// direction  of any length but 0
 double cookie_at(const Cookie& cookie, const glm::dvec3& direction);
 
-/// The same shape with another number of texels along an edge, by cookie_at() at their centres.
+/// A cookie resampled to another number of texels along an edge, by cookie_at() at their centres.
 Cookie resize_cookie(const Cookie& cookie, int size);
 
 }  // namespace litfog

@@ -8,20 +8,19 @@
 
 namespace litfog {
 
-/// Largest error of airlight() with a cookie as smooth as a beam of cos^4. The finer a cookie's detail, the more of it
-/// falls between the nodes.
+/// Largest error of airlight() with a cookie as smooth as a beam of cos^4. Finer detail may fall between the nodes.
 inline constexpr double kCookieAirlightMaxError = 1 / 255.;
 
-/// Airlight (airlight.h) of a light whose angular shape is a cookie, in place of its cone.
+/// Airlight (airlight.h) of a light whose angular shape is a cookie instead of its cone.
 ///
-/// cookie             a valid one (find_error()); not checked here
+/// cookie             must pass find_error(); not checked here
 /// cookie_from_world  a rotation: the light's axis becomes -z, its up +y
 /// max error          kCookieAirlightMaxError                                              (cookie_airlight_test.cpp)
 /// throws             std::invalid_argument naming field, value and rule
 double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
                 const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
 
-/// The same by adaptive quadrature, cut wherever the ray passes from one texel to another.
+/// Airlight with a cookie by adaptive quadrature, cut wherever the ray passes from one texel to another.
 ///
 /// max error  kReferenceAirlightMaxError                                                   (cookie_airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule

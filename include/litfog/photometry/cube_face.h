@@ -11,10 +11,10 @@ struct CubePosition {
   double u, v;  ///< [-1, 1] along the face's columns and rows, as glTexImage2D takes them
 };
 
-/// The direction that looks a position up, of length 1 to sqrt(3): its largest component is 1 in magnitude.
+/// The direction towards a position, of length 1 to sqrt(3): its largest component is 1 in magnitude.
 glm::dvec3 cube_direction(const CubePosition& position);
 
-/// The position that a direction of any length but 0 looks up.
+/// The position in a direction of any length but 0.
 CubePosition cube_position(const glm::dvec3& direction);
 
 }  // namespace litfog

@@ -18,18 +18,18 @@ struct IsocandelaEllipse {
   double vertical = 0;    ///< half axis, radians, (0, pi]
 };
 
-/// What is wrong with ellipses, or nothing. There is at least one; from each to the next both half axes grow, and the
-/// intensity does not. Not all are dark.
+/// What is wrong with ellipses, or nothing. There must be at least one, and not all may be dark. From each to the next
+/// both half axes must grow, and the intensity must not.
 std::optional<ValueError> find_error(const std::vector<IsocandelaEllipse>& ellipses);
 
-/// The largest errors of elliptical_beam() for ellipses of ratios up to 4: of the flux, relative; of the intensity
-/// where it is continuous, as a fraction of the peak.
+/// Largest errors of elliptical_beam() for ellipses of ratios up to 4: relative, of the flux; as a fraction of the
+/// peak, of the intensity where it is continuous.
 inline constexpr double kEllipticalFluxMaxError = 1e-4;
 inline constexpr double kEllipticalBeamMaxError = 0.03;
 
-/// A beam by its isocandela lines: within the first it has that one's intensity, between two it is linear in the angle
-/// from the axis, beyond the last it is dark. A table of type C about the photometric axis, at 512 angles within the
-/// beam.
+/// A beam from its isocandela lines, as a table of type C about the photometric axis, at 512 angles within the beam.
+/// Within the first line the intensity is that line's, between two lines it is linear in the angle from the axis, and
+/// beyond the last it is 0.
 ///
 /// max error   kEllipticalFluxMaxError, kEllipticalBeamMaxError                              (elliptical_beam_test.cpp)
 /// throws      std::invalid_argument naming field, value and rule

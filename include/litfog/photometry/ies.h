@@ -13,19 +13,19 @@ bool is_ies(std::string_view text);
 
 /// Parses an IES LM-63 file of any edition: 1986 (without label), 1991, 1995, 2002, 2019. Numbers may be separated by
 /// white space, commas and line ends; counts may be written as decimals, exponents as Fortran's, 1.5D+03. Text is
-/// UTF-8, UTF-16, or of a code page, which is guessed.
+/// UTF-8, UTF-16, or in a code page, which is guessed.
 ///
-/// Intensities are the file's, times its multiplier, its ballast factor and, in 1986 and 1991 only, the ballast-lamp
-/// photometric factor (later editions use its field otherwise). Neither the number of lamps nor TILT changes them. What
-/// changes no intensity may be any number: one that cannot be is taken as not stated.
-/// Intensities below 0 by no more than 0.1 % of the largest, as the noise of dark directions leaves them, are 0.
+/// Intensities are the file's values times its multiplier, its ballast factor and, in 1986 and 1991 only, the
+/// ballast-lamp photometric factor (later editions use its field otherwise). Neither the number of lamps nor TILT
+/// changes them. A field that changes no intensity may be any number; an impossible number counts as not stated.
+/// Intensities below 0 by no more than 0.1 % of the largest are noise of dark directions and become 0.
 ///
 /// Errors, besides missing or malformed numbers: intensities further below 0 or all 0, a multiplier or factor <= 0,
 /// angles beyond their type's range or not increasing, more than 10,000 of them, horizontal angles of type C that are
 /// more than one and span neither a turn nor the part of it that a symmetry leaves, numbers after the last intensity. A
 /// turn whose last plane is short of 360 degrees by no more than the widest step is closed with the first plane.
 ///
-/// name       of the file, for messages; TILT=file is looked for below its folder
+/// name       the file's, for messages; TILT=file is looked for below its folder
 /// throws     InputError
 Luminaire parse_ies(std::string text, const std::string& name);
 

@@ -10,10 +10,11 @@
 
 namespace litfog {
 
-/// How a goniophotometer turned the luminaire, and so what its two angles mean (IES LM-63-2002, section 3; LM-75-01).
+/// How a goniophotometer turned the luminaire, which gives the two angles their meaning (IES LM-63-2002, section 3;
+/// LM-75-01).
 ///
-/// Directions are of the luminaire frame, the same for all three: the photometric axis is -z, +y is up (types A and B),
-/// and +x is to the right of one who looks along the axis.
+/// Directions are in the luminaire frame, the same for all three types: the photometric axis is -z, +y is up (types A
+/// and B), and +x is to the right of one who looks along the axis.
 ///     A  (cos V sin H, sin V, -cos V cos H)       half planes round the vertical axis, V is the elevation in one
 ///     B  (sin H, cos H sin V, -cos H cos V)       half planes round the horizontal axis, H is the elevation in one
 ///     C  (sin V cos H, sin V sin H, -cos V)       half planes round the photometric axis, V = 0 at the nadir
@@ -24,12 +25,12 @@ enum class PhotometryType { a, b, c };
 /// The axis of every photometric file: the nadir in type C, H = V = 0 in types A and B.
 inline constexpr glm::dvec3 kPhotometricAxis{0, 0, -1};
 
-/// Candela: of a distribution's intensities, whose squares and sums so stay finite.
+/// Largest intensity of a distribution, candela, at which squares and sums stay finite.
 inline constexpr double kMaxIntensity = 1e30;
 
 /// Luminous intensity by direction, as measured. It is bilinear between the measured angles and 0 outside them. On the
-/// axis of type C, where all planes meet, it is their mean over the turn. Symmetry is applied at look-up, so that only
-/// the measured part is stored.
+/// axis of type C, where all planes meet, the intensity is their mean over the turn. Symmetry is applied at look-up, so
+/// that only the measured part is stored.
 struct IntensityDistribution {
   PhotometryType type = PhotometryType::c;
 
@@ -44,13 +45,13 @@ struct IntensityDistribution {
   std::vector<double> intensity;
 };
 
-/// What is wrong with a distribution, or nothing. Every call below except intensity_at throws std::invalid_argument if
-/// something is.
+/// What is wrong with a distribution, or nothing. Every call below except intensity_at throws std::invalid_argument
+/// with it.
 std::optional<ValueError> find_error(const IntensityDistribution& distribution);
 
 /// Luminous intensity towards a direction.
 ///
-/// distribution  a valid one (find_error()); not checked here
+/// distribution  must pass find_error(); not checked here
 /// direction     luminaire frame, of any length but 0
 /// returns       candela
 double intensity_at(const IntensityDistribution& distribution, const glm::dvec3& direction);
@@ -63,11 +64,11 @@ double luminous_flux(const IntensityDistribution& distribution);
 /// The largest intensity, always at measured angles.
 struct IntensityPeak {
   double intensity;      ///< candela, > 0
-  glm::dvec3 direction;  ///< unit, luminaire frame; of several equal peaks one closest to the photometric axis
+  glm::dvec3 direction;  ///< unit, luminaire frame; among equal peaks one closest to the photometric axis
 };
 IntensityPeak find_peak(const IntensityDistribution& distribution);
 
-/// A type's two angles of a direction, radians: horizontal in (-pi, pi], of type B in [-pi / 2, pi / 2].
+/// A type's two angles of a direction, radians: horizontal in (-pi, pi], in [-pi / 2, pi / 2] for type B.
 struct PhotometricAngles {
   double horizontal;
   double vertical;

@@ -15,7 +15,7 @@ namespace litfog {
 /// The intensities are those of that attitude; tilt_factor() of another attitude multiplies them all. Readers store it
 /// and do not apply it, because a file does not state how its luminaire will be mounted.
 struct LampTilt {
-  std::string file = {};        ///< with these data, as found; empty if they stand in the luminaire's own
+  std::string file = {};        ///< path of the file with these data; empty if the luminaire's own file has them
   int geometry = 1;             ///< 1: the lamp is vertical; 2, 3: horizontal, in the plane of 0 or of 90 degrees
   std::vector<double> angles;   ///< radians in [0, pi], strictly increasing
   std::vector<double> factors;  ///< > 0, one per angle
@@ -24,25 +24,24 @@ struct LampTilt {
 /// The luminous opening in metres. A negative size is the diameter of a round one (IES LM-63), 0 is none.
 struct LuminousOpening {
   double width = 0;   ///< across the plane of 0 degrees
-  double length = 0;  ///< along it
+  double length = 0;  ///< along that plane
   double height = 0;
 };
 
 /// What a photometric file states about a luminaire.
 struct Luminaire {
-  std::string file = {};     ///< as named to the reader
-  std::string name;          ///< UTF-8, as all text; empty if the file does not state it
-  std::string manufacturer;  ///< likewise
+  std::string file = {};     ///< path as given to the reader
+  std::string name;          ///< UTF-8, like all text; empty if not stated
+  std::string manufacturer;  ///< empty if not stated
   IntensityDistribution distribution;
-  InputLocation peak_location;  ///< of the largest intensity in the file
+  InputLocation peak_location;  ///< where the file has the largest intensity
 
-  /// Rated flux of all its lamps in lumens, > 0; nothing if the file does not state it, as in absolute IES photometry,
-  /// or states one that cannot be.
+  /// Rated flux of all lamps in lumens, > 0; nothing if not stated, as in absolute IES photometry, or impossible.
   std::optional<double> lamp_flux;
   /// Stated fraction of the lamps' flux that leaves the luminaire (EULUMDAT's LORL).
   std::optional<double> light_output_ratio;
   bool is_absolute = false;    ///< measured as a whole, without separate ratings of its lamps
-  bool is_isocandela = false;  ///< by an isocandela table: of a beam ahead, wherever its lamp is pointed
+  bool is_isocandela = false;  ///< from an isocandela table: the beam is ahead, wherever its lamp is pointed
 
   LuminousOpening opening;
   std::optional<LampTilt> tilt;
@@ -52,7 +51,7 @@ struct Luminaire {
 /// light_output_ratio, which only EULUMDAT has.
 std::optional<double> stated_flux(const Luminaire& luminaire);
 
-/// What reading a photometric file takes at most, in bytes: its text, its numbers and their copies.
+/// Upper bound of the memory for reading a photometric file, bytes: its text, its numbers and their copies.
 inline constexpr std::size_t kMaxLuminaireMemory = std::size_t{1} << 30;
 
 /// The factor of a lamp's output, linear between the file's angles and constant beyond them.
@@ -61,11 +60,11 @@ inline constexpr std::size_t kMaxLuminaireMemory = std::size_t{1} << 30;
 /// throws     std::invalid_argument naming field, value and rule
 double tilt_factor(const LampTilt& tilt, double angle);
 
-/// Reads a photometric file of any kind that its content says: IES LM-63 (ies.h), EULUMDAT (eulumdat.h), TM-33
+/// Reads a photometric file, whose kind follows from its content: IES LM-63 (ies.h), EULUMDAT (eulumdat.h), TM-33
 /// (tm33.h), an isocandela table (isocandela.h), or a GLDF container, of which it reads the only photometric file, or
 /// the one that a path of list_gldf() (gldf.h) names.
 ///
-/// The file, that with the tilt data, and one in a container may have 64 MiB each, those of XML 16 MiB. Reading takes
+/// The file, its file of tilt data, and a file in a container may have 64 MiB each, XML files 16 MiB. Reading takes
 /// less than kMaxLuminaireMemory, whatever counts a file states.
 ///
 /// throws     InputError

@@ -19,21 +19,21 @@ float litfog_fog_mode() { return LITFOG_FOG_MODE; }
 float litfog_fog_mode() { return litfog_fog.y; }
 #endif
 
-// Opacity 1 - f of the fog over a range. density_scale is the light's for what a light class sees, 1 for surfaces.
+// Opacity 1 - f of the fog over a range. density_scale is a light's for the fog that its class sees, 1 for surfaces.
 float litfog_fog_opacity(float range, float density_scale) {
-  float density = min(litfog_fog.x * density_scale, 3.4e38);  // finite: at range 0 infinity would give NaN
+  float density = min(litfog_fog.x * density_scale, 3.4e38);  // finite, because infinity gives NaN at range 0
   bool is_exp = litfog_fog_mode() == 0.0;
   return litfog_opacity(is_exp ? litfog_depth_exp(range, density) : litfog_depth_exp2(range, density));
 }
 
-// Fraction of a light that the fog lets through from the lamp to a range: for single scattering (litfog/shaders/
-// glow.glsl) the light that arrives at a surface is dimmed by it.
+// Fraction of a light that passes through the fog from the lamp to a range. For single scattering
+// (litfog/shaders/glow.glsl) it dims the light that arrives at a surface.
 float litfog_lamp_factor(LitfogLight light, float range) {
   return 1.0 - litfog_fog_opacity(range, light.attenuation.w);
 }
 
-// What one light adds to the fog colour of a fragment: colour * cone * fog colour intensity (Steven Hales 2004,
-// "Realtime Pixel Lighting Using Fragment Programs", section "Lighting in Fog"). glow.glsl has the airlight instead.
+// One light's part of a fragment's fog colour: colour * cone * fog colour intensity (Steven Hales 2004, "Realtime Pixel
+// Lighting Using Fragment Programs", section "Lighting in Fog"). glow.glsl has the airlight instead.
 vec3 litfog_light_fog(LitfogLight light, vec3 position) {
   vec3 direction = litfog_ray(light.position_extent.xyz, position).xyz;
   return light.color_intensity.rgb * (litfog_cone(light, direction) * light.color_intensity.w);
@@ -51,7 +51,7 @@ vec3 litfog_lights_fog(vec3 position) {
 }
 #endif
 
-// Fragment fog colour = ambient fog colour + what the lights add.
+// Fragment fog colour = ambient fog colour + litfog_lights_fog().
 vec3 litfog_fog_color(vec3 position) { return litfog_ambient_fog_color.rgb + litfog_lights_fog(position); }
 
 // The fragment as the eye sees it: mix(fog, surface, f).

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: a light and what of it arrives at a point. World space, metres.
+// litfog: a light, and its light that arrives at a point. World space, metres.
 //
 // Lights are held in two tables, kinds and instances (litfog/fog_light_block.h). light_block.glsl reads them from a
 // uniform block, light_buffer.glsl from textures or storage buffers. A program may use both, or fill a LitfogLight
@@ -14,7 +14,7 @@
 #include "litfog/shaders/cone_profile.glsl"
 #include "litfog/shaders/formulas.glsl"
 
-// What lights of a kind share.
+// The values that lights of a kind share.
 struct LitfogKind {
   vec4 attenuation_extent;    // x constant, y linear, z quadratic, w extent
   vec4 cone_scale_intensity;  // xy cone, z density scale, w fog colour intensity
@@ -23,7 +23,7 @@ struct LitfogKind {
 struct LitfogInstance {
   vec4 position_kind;  // xyz position, w index of its kind
   vec4 axis_profile;   // xyz unit axis, w profile: LITFOG_PROFILE_*
-  vec4 color;          // rgb colour, w of LITFOG_PROFILE_COOKIE the including program's
+  vec4 color;          // rgb colour; w belongs to the including program for LITFOG_PROFILE_COOKIE
 };
 
 // An instance with its kind.

@@ -7,7 +7,7 @@
 //   always takes these, unless it takes storage buffers;
 // - LITFOG_LIGHT_STORAGE: storage buffers, std430, at LITFOG_KIND_BINDING (default 1) and LITFOG_INSTANCE_BINDING
 //   (default 2); needs GLSL 4.30, ES 3.10 or Vulkan.
-// In Vulkan textures are at these bindings, too, and all are in LITFOG_SET (default 0).
+// In Vulkan the textures also have these bindings, and all are in LITFOG_SET (default 0).
 
 #ifndef LITFOG_LIGHT_BUFFER_GLSL
 #define LITFOG_LIGHT_BUFFER_GLSL

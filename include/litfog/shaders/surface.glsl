@@ -26,7 +26,7 @@ vec3 litfog_ambient(LitfogSurface surface, vec3 ambient_light) {
 vec2 litfog_reflection_factors(vec3 normal, vec3 to_eye, float shininess, vec3 to_light) {
   float diffuse = dot(normal, to_light);
   if (diffuse <= 0.0) return vec2(0.0);
-  vec3 half_vector = to_light + to_eye;  // 0 where they are opposite: no highlight
+  vec3 half_vector = to_light + to_eye;  // 0 if they are opposite: no highlight
   float facing = dot(normal, half_vector) * inversesqrt(max(dot(half_vector, half_vector), 1.0e-30));
   return vec2(diffuse, pow(clamp(facing, 0.0, 1.0), shininess));
 }
