@@ -16,10 +16,10 @@ namespace litfog::airlight_text {
 template <typename Function>
 class Bisection {
  public:
-  /// agreement  relative difference between a stretch and the sum of its halves at which it is halved no further
+  /// agreement  relative difference between a stretch and the sum of its halves, at which halving ends
   Bisection(const Function& function, long double agreement) : function_(function), agreement_(agreement) {}
 
-  /// Eight nodes of Gauss and Legendre.
+  /// Estimates a stretch by eight Gauss-Legendre nodes.
   long double estimate(long double low, long double high) const {
     using Rules = Text<long double, NoCookie>;
     constexpr int kNodes = 8, kRule = kNodes * (kNodes - 1) / 2;
@@ -30,7 +30,7 @@ class Bisection {
     return sum * (high - low);
   }
 
-  /// Halves until two halves agree with their whole, or differ from it by what is negligible.
+  /// Halves a stretch until its halves agree with the whole, or differ from it by a negligible amount.
   long double refine(long double low, long double high, long double whole, long double negligible, int depth) const {
     const long double middle = (low + high) / 2;
     const long double left = estimate(low, middle);
@@ -47,12 +47,12 @@ class Bisection {
 
 /// The integral of a function >= 0 over the stretches between cuts in ascending order.
 ///
-/// bound  an upper bound of the function. 1e-21 of its integral is negligible: in the edge of a cone that is rounding
+/// bound  an upper bound of the function. 1e-21 of its integral is negligible: rounding in the edge of a cone
 template <typename Function, typename Bound>
 long double integrate(const std::vector<long double>& cuts, const Function& function, const Bound& bound) {
   constexpr int kDepth = 40;
   constexpr long double kAgreement = 1e-12L;   // in the edge of a narrow cone, long double has no more than 1e-13
-  constexpr long double kNegligible = 1e-13L;  // of the total, for some hundred stretches
+  constexpr long double kNegligible = 1e-13L;  // fraction of the total, for some hundred stretches
   const Bisection<Function> bisection(function, kAgreement);
   const Bisection<Bound> bisection_of_bound(bound, kAgreement);
   std::vector<long double> estimates;
@@ -62,7 +62,7 @@ long double integrate(const std::vector<long double>& cuts, const Function& func
     total += estimates.emplace_back(bisection.estimate(cuts[i], cuts[i + 1]));
     total_of_bound += bisection_of_bound.estimate(cuts[i], cuts[i + 1]);
   }
-  for (;;) {  // again if the estimate was so much too high that what it called negligible is not
+  for (;;) {  // repeats if the first estimate was so high that its negligible amount is not negligible
     const long double negligible = std::max(kNegligible * total, 1e-21L * total_of_bound);
     long double refined = 0;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -73,7 +73,7 @@ long double integrate(const std::vector<long double>& cuts, const Function& func
   }
 }
 
-/// Cookie  of Text; its append_kinks(cuts) appends where along the ray it is not smooth
+/// Cookie  like Text's; its append_kinks(cuts) appends the distances along the ray where it is not smooth
 template <typename Cookie>
 long double integrate_airlight(Text<long double, Cookie> text,
                                const typename Text<long double, Cookie>::LitfogAirlight& air) {

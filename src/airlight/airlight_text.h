@@ -57,7 +57,7 @@ struct Text {
 #undef litfog_attenuation
 #undef LITFOG_COOKIES
 
-  /// A light as a ray sees it. The fog is that of the light's class.
+  /// A light's parameters along a ray, in the fog that the light's class sees.
   static LitfogAirlight seen_along(const PlacedLight& placed, Real extent, const Fog& class_fog, const EyeRay& ray,
                                    LampLeg lamp_leg, const LitfogPhase& phase) {
     using Vector = glm::vec<3, Real>;
@@ -91,7 +91,7 @@ struct Text {
     return air;
   }
 
-  /// The limit of total fog: what is scattered in the eye itself.
+  /// The limit of total fog: light is scattered at the eye itself.
   Real at_the_eye(const LitfogAirlight& air) {
     const Real range = litfog_airlight_range(air, air.approach);
     const bool is_dark = air.ray_length == 0 || range >= air.extent || (air.lamp_leg != 0 && range > 0);

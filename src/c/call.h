@@ -25,9 +25,10 @@ litfog_status call(const Body& body) noexcept {
   }
 }
 
-/// What a caller's pointer points to. Results are asked for by it before anything is made that would be lost.
+/// The object behind a caller's pointer. Check pointers for results with it before creating anything that a throw would
+/// lose.
 ///
-/// name    of the parameter or member, for the error
+/// name    name of the parameter or member, for the error
 /// throws  std::invalid_argument where it is null
 template <typename T>
 T& at(T* pointer, const char* name) {

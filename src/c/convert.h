@@ -8,15 +8,15 @@
 #include "litfog/c/litfog.h"
 #include "litfog/light.h"
 
-// A caller's structs as C++ has them. Numbers that are no enumerator throw std::invalid_argument; all other rules are
+// Converts a caller's structs to C++. Numbers that are no enumerator throw std::invalid_argument; all other rules are
 // those of the C++ calls, which check them.
 
 namespace litfog::c {
 
 /// An enumerator of C++.
 ///
-/// count   how many there are, from 0
-/// name    of the parameter or member
+/// count   number of enumerators, from 0
+/// name    name of the parameter or member
 /// throws  std::invalid_argument
 void require_enumerator(std::int32_t value, int count, const char* name);
 

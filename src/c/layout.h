@@ -22,7 +22,7 @@
 
 namespace litfog::c {
 
-/// The C++ struct that a C struct stands for, member by member at the same offsets; what is not named here has none.
+/// Maps a C struct to the C++ struct with the same members at the same offsets; other structs have none.
 template <typename C>
 struct Counterpart;
 
@@ -166,13 +166,13 @@ C to_c(const typename Counterpart<C>::type& cpp) {
   return std::bit_cast<C>(cpp);
 }
 
-/// A table of C++ structs as C structs where it lies.
+/// A table of C++ structs viewed as C structs, without a copy.
 template <typename C>
 const C* view_as(std::span<const typename Counterpart<C>::type> table) {
   return reinterpret_cast<const C*>(table.data());
 }
 
-/// A table of C structs as C++ structs where it lies.
+/// A table of C structs viewed as C++ structs, without a copy.
 template <typename C>
 std::span<const typename Counterpart<C>::type> view_as_cpp(std::span<const C> table) {
   return {reinterpret_cast<const typename Counterpart<C>::type*>(table.data()), table.size()};

@@ -7,7 +7,7 @@
 
 namespace litfog::c {
 
-/// litfog's shader files. Generated from them.
+/// litfog's shader files; the definition is generated from them.
 std::span<const litfog_shader_text> shader_texts();
 
 }  // namespace litfog::c

@@ -207,7 +207,7 @@ HWY_INLINE std::uint64_t parts_met(D d, const EdgePlanes& edges, const OneLight<
 /// all of its points: to the nearest point between the planes, by Pythagoras.
 struct Ball {
   float depth;
-  float square;  ///< of the radius; < 0: none
+  float square;  ///< square of the radius; < 0: no ball
 };
 
 inline Ball between(const EdgePlanes& edges, std::size_t part, float side, const Ball& ball) {

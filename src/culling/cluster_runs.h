@@ -10,14 +10,14 @@
 
 namespace litfog {
 
-/// Most columns, rows or slices: their bits fit an integer.
+/// Largest number of columns, rows or slices: one bit each fits an integer.
 inline constexpr std::size_t kMaxParts = 64;
-/// Room for the planes around them, and for whole vectors from any of these.
+/// Room for the planes around all parts, and for whole vectors from any of these planes.
 using PlaneColumn = std::array<float, 2 * kMaxParts + 1>;
 
-/// The bounds of lights as the floats that they are tested in, a column a parameter.
+/// The bounds of lights as floats, for the tests, one column a parameter.
 struct LightColumns {
-  // Positions as the sums of two floats: a float's distance from the eye is then as good far from the origin as near.
+  // Positions are sums of two floats, so that distances from the eye are as exact far from the origin as near it.
   std::vector<float> x, y, z;
   std::vector<float> x_rest, y_rest, z_rest;
   std::vector<float> axis_x, axis_y, axis_z;
@@ -27,7 +27,7 @@ struct LightColumns {
   std::size_t size = 0;
   void resize(std::size_t count);
   void set(std::size_t light, const LightBounds& bounds);
-  /// set() where only the range has changed, without its sines.
+  /// set() without the sines, where only the range has changed.
   void set_range(std::size_t light, double metres);
 };
 
@@ -43,7 +43,7 @@ struct EdgePlanes {
   PlaneColumn along{};
 };
 
-/// A view and its clusters as lights are tested against them.
+/// A view and its clusters, as floats for the tests of lights.
 struct ClusterPlanes {
   ClusterPlanes(const ClusterGrid& grid, const View& view);
 
@@ -52,17 +52,17 @@ struct ClusterPlanes {
   float right[3];
   float up[3];
   float forward[3];
-  float farthest_corner;  ///< its distance from the eye
+  float farthest_corner;  ///< distance from the eye
   EdgePlanes columns;
   EdgePlanes rows;
   std::uint32_t slices;
   PlaneColumn depths{};  ///< slice i lies between depths i and i + 1
 };
 
-/// Depth at which a slice begins and the one before ends, 0 to grid.slices.
+/// Depth at which a slice begins and the one before ends, for slices 0 to grid.slices.
 double slice_depth(const ClusterGrid& grid, const View& view, std::uint32_t slice);
 
-/// Clusters of a row that a light is in: bit i of `columns` is the cluster's column.
+/// The clusters of a row that a light is in: bit i of `columns` is column i.
 struct ClusterRun {
   std::uint32_t light;
   std::uint32_t row;  ///< slice * rows + row
@@ -76,7 +76,7 @@ inline constexpr std::size_t kLightBlock = 64;
 
 /// Appends the runs of the lights [begin, begin + kLightBlock), in their order.
 ///
-/// returns  how many of them are in any cluster
+/// returns  number of lights in any cluster
 std::size_t append_cluster_runs(const ClusterPlanes& planes, const LightColumns& lights, std::size_t begin,
                                 std::vector<ClusterRun>& runs);
 

@@ -19,7 +19,7 @@ namespace litfog {
 /// The corners of a convex polytope, in any order.
 using Corners = std::array<glm::dvec3, 8>;
 
-inline constexpr double kPolytopeRounding = 1e-12;  ///< of coordinates
+inline constexpr double kPolytopeRounding = 1e-12;  ///< relative rounding of coordinates
 
 /// The spherical sector that a light can light. It is convex if the half angle is at most 90 degrees.
 struct Sector {
@@ -29,7 +29,7 @@ struct Sector {
   double cos_half_angle;
   double sin_half_angle;
 
-  /// One of its points that lie farthest along a direction: on the cap, on its rim, or the apex.
+  /// A point of the sector farthest along a direction: on the cap, on its rim, or the apex.
   glm::dvec3 farthest_along(const glm::dvec3& direction) const {
     const double along = glm::dot(direction, axis);
     const double length = glm::length(direction);
@@ -42,7 +42,7 @@ struct Sector {
     return apex + range * (cos_half_angle * axis + sin_half_angle * outward);
   }
 
-  /// The nearest of its points to a point, but for rounding. The half angle is at most 90 degrees.
+  /// The sector's point nearest to a point, except for rounding. The half angle must be at most 90 degrees.
   glm::dvec3 nearest_to(const glm::dvec3& point) const {
     const glm::dvec3 offset = point - apex;
     const double along = glm::dot(offset, axis);
@@ -54,7 +54,7 @@ struct Sector {
     return apex + std::clamp(glm::dot(offset, edge), 0.0, range) * edge;
   }
 
-  /// Whether a point lies deeper than a margin inside the cone that a half angle over 90 degrees leaves dark.
+  /// Whether a point lies deeper than a margin inside the dark cone of a half angle over 90 degrees.
   bool has_in_dark_cone(const glm::dvec3& point, double margin) const {
     const double along = glm::dot(point - apex, axis);
     const double width = glm::length(point - apex - axis * along);
@@ -68,12 +68,12 @@ struct Point {
   glm::dvec3 farthest_along(const glm::dvec3&) const { return position; }
 };
 
-/// Up to four points of a body. Their convex hull holds the point nearest to the origin that is known so far.
+/// Up to four points of a body, whose convex hull contains the known point nearest to the origin.
 class Simplex {
  public:
   void add(const glm::dvec3& point) { points_[std::size_t(size_++)] = point; }
 
-  /// The hull's point nearest to the origin. Drops the points that it does not depend on.
+  /// The hull's point nearest to the origin. Drops the points on which it does not depend.
   glm::dvec3 reduce_to_nearest() {
     unsigned best = 0;
     glm::dvec3 nearest{0};
@@ -96,7 +96,7 @@ class Simplex {
   }
 
  private:
-  /// Of the point, line, plane or space through a subset: the point nearest to the origin, and whether it lies between
+  /// The point nearest to the origin on the point, line, plane or space through a subset, and whether it lies between
   /// the subset's points.
   std::pair<bool, glm::dvec3> nearest_of_plane(unsigned subset) const {
     std::array<glm::dvec3, 4> p;
@@ -136,12 +136,12 @@ class Simplex {
 /// Johnson and Keerthi (1988): each step has a proof of separation, a common point, or a smaller distance.
 ///
 /// start     a point of the polytope: the nearer to the body, the fewer steps
-/// rounding  metres: bodies that are farther apart than the margin by up to this may be called within it, too
+/// rounding  metres: bodies farther apart than the margin by up to this may count as within it
 template <typename Body>
 bool is_within(const Corners& corners, const glm::dvec3& start, const Body& body, double margin, double rounding) {
-  constexpr int kMaxSteps = 64;  // the bodies then touch, but for rounding
+  constexpr int kMaxSteps = 64;  // the bodies then touch, except for rounding
   Simplex simplex;
-  glm::dvec3 apart = start - body.nearest_to(start);  // a difference of their points
+  glm::dvec3 apart = start - body.nearest_to(start);  // a difference of points of both bodies
   for (int step = 0; step < kMaxSteps; ++step) {
     const double distance = glm::length(apart);
     if (distance <= margin + rounding) return true;

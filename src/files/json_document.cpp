@@ -30,7 +30,7 @@ struct JsonNode {
 
   std::variant<std::monostate, bool, double, std::string, Array, Object> value;  // monostate: null
   std::size_t offset = 0;       ///< byte in the document's text where it starts
-  std::size_t name_offset = 0;  ///< of a member: where its name starts
+  std::size_t name_offset = 0;  ///< members: byte where the name starts
 };
 
 /// A part of a document's text that comes from one place.
@@ -60,7 +60,7 @@ namespace {
 constexpr std::size_t kMaxBytes = std::size_t{64} << 20;
 constexpr std::size_t kMaxDepth = 64;
 constexpr std::size_t kMaxValues = 1'000'000;  // a member takes some 200 bytes: 64 MiB of "[],[]," would take 4 GiB
-constexpr std::size_t kMaxShown = 40;          // of a number in a message
+constexpr std::size_t kMaxShown = 40;          // characters of a number in a message
 constexpr std::string_view kBetweenTokens = " \t\r\n,:";
 constexpr std::string_view kWordEnds = " \t\r\n,:]}";
 constexpr std::string_view kRangeRule = "must be within the range of a double";

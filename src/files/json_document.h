@@ -13,8 +13,8 @@
 
 namespace litfog::files {
 
-/// JSON files read so that every error names its location: whatever is wrong, InputError is thrown with the one
-/// sentence "file:line:column: lamps[2].threshold = 7: must be in (0, 1)".
+/// Reads JSON files. Every error is an InputError that names its location, one sentence like "file:line:column:
+/// lamps[2].threshold = 7: must be in (0, 1)".
 ///
 ///     const JsonValue scene = read_json("airfield.json");
 ///     expect_header(scene, "scene", 1);
@@ -45,7 +45,7 @@ class JsonValue {
   std::optional<JsonValue> optional(std::string_view name) const;
   void allow_only(const std::vector<std::string_view>& names) const;  ///< fails at any other member of an object
 
-  std::vector<std::string_view> names() const;  ///< of an object's members
+  std::vector<std::string_view> names() const;  ///< names of an object's members
   std::vector<JsonValue> items() const;
   double number() const;  ///< always finite
   double number_or(std::string_view name, double absent) const;
@@ -55,19 +55,19 @@ class JsonValue {
 
   /// What is wrong with this value: "location: path = value: rule".
   InputError error(std::string_view rule) const;
-  /// What is wrong at this value's location, in the caller's words. An empty value is left out.
+  /// What is wrong at this value's location, in the caller's text. An empty value is left out.
   InputError error(std::string_view what, std::string_view value, std::string_view rule) const;
   [[noreturn]] void fail(std::string_view rule) const { throw error(rule); }
   [[noreturn]] void fail(std::string_view what, std::string_view value, std::string_view rule) const {
     throw error(what, value, rule);
   }
 
-  /// That this string is none of the words that it may be.
+  /// Fails because this string is none of the allowed words.
   [[noreturn]] void fail_choice(const std::vector<std::string_view>& words) const;
 
   std::string_view name() const;                     ///< the last step of path(): "threshold"
   const std::string& path() const { return path_; }  ///< "lamps[2].threshold"; empty for the document itself
-  std::string path_of(std::string_view name) const;  ///< of a member, whether it is given or not
+  std::string path_of(std::string_view name) const;  ///< path of a member, given or not
   const std::string& file() const;                   ///< the document's name as given to read_json
 
  private:
@@ -85,25 +85,25 @@ class JsonValue {
 /// or without byte order mark.
 JsonValue read_json(const std::string& path);
 
-/// The same from text; the name stands in messages.
+/// Reads JSON from text; messages begin with the name.
 JsonValue parse_json(std::string text, std::string name);
 
-/// What stands in the file that a string names; nothing if the string names none. Throws InputError.
+/// The contents of the file that a string names; nothing if the string names none. Throws InputError.
 using FollowLink = std::function<std::optional<JsonValue>(const JsonValue& link)>;
 
-/// A copy of a document in which one value is another one, so that whoever reads it applies all its rules to that too.
-/// Objects on the way to a member that is not there are made: the reader tells whether they may be.
+/// A copy of a document with one value replaced, so that its reader applies all rules to the new value too. Missing
+/// objects on the path are created; the reader decides whether they are allowed.
 ///
 ///     const JsonValue seven = parse_json("7", "--set");
 ///     const JsonValue scene = with_value(read_json("airfield.json"), "lamps[2].threshold", seven, "--set");
 ///     scene.member("lamps").items()[2].member("threshold").fail("must be in (0, 1)");
 ///     // --set: lamps[2].threshold = 7: must be in (0, 1)
 ///
-/// path    as of JsonValue::path(), not empty
+/// path    like JsonValue::path(), not empty
 /// value   the root of its document
-/// option  of the command line, which errors name in place of a file: also those of an array of which it is an item
-/// follow  called for a string of which the path names a member; what it returns then stands in the string's place, and
-///         its errors name its own file
+/// option  command-line option that errors name instead of a file, even errors of an array with the value as an item
+/// follow  called for a string of which the path names a member; its result replaces the string, and errors in it name
+///         its own file
 /// throws  InputError where the path leads nowhere: an array has no such item, a number no members
 JsonValue with_value(const JsonValue& document, std::string_view path, const JsonValue& value, std::string_view option,
                      const FollowLink& follow = {});

@@ -231,7 +231,7 @@ std::string rule_in_degrees(std::string_view rule) {
 
 InputError LightSpec::error_at(std::string_view field, std::string_view value, std::string_view rule) const {
   files::JsonValue given = text->root;  // the innermost value on the way to the field that the file has
-  std::string path;                     // of the field
+  std::string path;                     // path of the field
   bool is_complete = true;
   for (const files::Step& step : files::steps_of(field)) {
     path += (path.empty() ? "" : ".") + step.name;

@@ -14,11 +14,11 @@
 
 namespace litfog {
 
-/// An objective to second order about a point, and where the variables may go. lower = upper holds a variable.
+/// A second-order model of an objective about a point, with bounds of the variables. lower = upper holds a variable.
 template <typename Real, std::size_t kSize>
 struct BoundedModel {
   using Variables = std::array<Real, kSize>;
-  /// Where normal . variables = value.
+  /// The plane normal . variables = value.
   struct Plane {
     Variables normal;
     Real value;
@@ -32,7 +32,7 @@ struct BoundedModel {
   std::optional<Plane> plane = {};
 };
 
-/// The variables that are not at a bound which a descent would cross.
+/// The free variables, those not at a bound that a descent would cross.
 /// slope  of the objective along the plane, if there is one
 template <typename Real, std::size_t kSize>
 std::vector<std::size_t> free_variables(const BoundedModel<Real, kSize>& model, const std::array<Real, kSize>& slope) {
@@ -52,7 +52,7 @@ struct ActiveSetStep {
   std::optional<std::size_t> blocked;  ///< the variable whose bound ended it early
 };
 
-/// Steps to the stationary point of the model in the free variables, or as far towards it as the bounds allow.
+/// Steps to the model's stationary point in the free variables, or towards it up to the first bound.
 template <typename Real, std::size_t kSize>
 ActiveSetStep<Real, kSize> active_set_step(const BoundedModel<Real, kSize>& model,
                                            const std::vector<std::size_t>& free) {

@@ -7,8 +7,8 @@
 
 namespace litfog {
 
-/// How far a sample lies outside what attenuations with the target's extent and constant reach at its range, in ln
-/// attenuation; 0 within.
+/// The distance of a sample, in ln attenuation, from the values that attenuations with the target's extent and constant
+/// reach at its range; 0 within.
 double distance_from_reach(const AttenuationTarget& target, const AttenuationSample& sample);
 
 /// Why a target's constant is out of reach, beside the largest that is not, rounded down:

@@ -16,11 +16,11 @@ namespace litfog {
 /// When a box is examined (Clausen 1999, "Branch and bound algorithms - principles and examples").
 enum class Evaluation {
   eager,  ///< when it is made. Boxes are split in the order of their own bounds.
-  lazy,   ///< when its turn comes; until then it has its parent's bound. For bounds that improve with the best known.
+  lazy,   ///< when its turn comes, with its parent's bound until then. For bounds that improve with the best known.
 };
 
 struct BranchAndBoundResult {
-  double lower_bound = std::numeric_limits<double>::infinity();  ///< of the objective in all boxes that were examined
+  double lower_bound = std::numeric_limits<double>::infinity();  ///< lower bound of the objective in all boxes examined
   std::size_t boxes = 0;                                         ///< examined and not empty
   bool is_proven = false;                                        ///< no box is left open
 };
@@ -38,7 +38,7 @@ BranchAndBoundResult branch_and_bound(Problem& problem, std::size_t max_boxes) {
     decltype(problem.root()) box;
     double bound;
 
-    bool operator<(const Node& other) const { return bound > other.bound; }  // the queue's top has the least bound
+    bool operator<(const Node& other) const { return bound > other.bound; }  // the queue's top has the smallest bound
   };
   BranchAndBoundResult result;
   const auto is_left_open = [&](Node& node) {

@@ -15,7 +15,7 @@ namespace litfog {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr int kMaxRounds = 20;  // of a descent in which the cut moves
+constexpr int kMaxRounds = 20;  // largest number of moves of the cut in a descent
 
 /// The error is a difference of fractions, not their ratio: the eye sees how much light falls on a surface, and
 /// beams end in darkness, which has no logarithm.
@@ -31,7 +31,7 @@ struct CosineResidual {
 
 /// The exponent at which the cone is the point's fraction; not a number where rounding would blur it.
 double own_exponent(const ConePoint& point) {
-  constexpr double kPlain = 1e-6;  // of a logarithm
+  constexpr double kPlain = 1e-6;  // smallest magnitude of a logarithm
   const bool is_plain = point.cosine > 0 && std::log(point.cosine) < 0 && std::abs(std::log(point.fraction)) > kPlain;
   return is_plain ? std::log(point.fraction) / std::log(point.cosine) : std::numeric_limits<double>::quiet_NaN();
 }
@@ -109,7 +109,7 @@ double CosineProfile::bound(const ConeBox& box, double) const {
       std::isfinite(most_exponent) ? kept_powers(middle) : std::span<const double>();
   double middle_loss = 0;
   double towards_least = 0, towards_most = 0;  // descents of the objective, at most
-  std::size_t known = 0;                       // of the points before it
+  std::size_t known = 0;                       // number of points with known middles
   const auto lit_loss = [&](std::size_t i) {
     if (i < middles.size()) {
       const auto& [angle, cosine, versine, fraction, weight] = points_[i];
@@ -188,7 +188,7 @@ CosineProfile::Cut CosineProfile::best_cut(const Loss& lit_loss_of, const TotalL
     for (; lit < cut; ++lit) lit_loss += lit_loss_of(lit);
     if (lit_loss > best.loss) break;  // further cuts lose more
     if (const double loss = loss_of(lit_loss, cut); loss < best.loss) best = {cut, loss};
-    if (dark_losses_[cut] == 0) break;  // likewise: all beyond is dark
+    if (dark_losses_[cut] == 0) break;  // all beyond is dark
   }
   return best;
 }

@@ -15,12 +15,12 @@
 namespace litfog {
 
 /// cos^S u for u < H, as a profile of ConeSearch. Which points are lit depends on H alone, and the best of these for an
-/// S is found by one pass over the points: the search is over S. Its parameter is 1 / (1 + S m), m = -ln cos u of a
-/// typical point, in [0, 1].
+/// S is found by one pass over the points, so the search is over S alone. Its parameter is 1 / (1 + S m), m = -ln cos u
+/// of a typical point, in [0, 1].
 class CosineProfile {
  public:
-  /// points      outlive the profile
-  /// half_angle  H, where given
+  /// points      must outlive the profile
+  /// half_angle  H, if given
   CosineProfile(const std::vector<ConePoint>& points, std::optional<double> half_angle);
 
   ConeBox root() const { return {{0, 0}, {1, 0}}; }
@@ -32,8 +32,8 @@ class CosineProfile {
 
   /// How many points are inside an angle.
   std::size_t lit_within(double angle) const;
-  /// The least number of lit points from `least_lit` to that which is best for the exponent whose objective is within a
-  /// limit.
+  /// The smallest number of lit points, at least `least_lit` and at most the best one for the exponent, whose objective
+  /// is within a limit.
   std::optional<std::size_t> first_cut(double exponent, std::size_t least_lit, double limit) const;
 
  private:
@@ -44,25 +44,25 @@ class CosineProfile {
     double loss;
   };
 
-  /// How many points are best lit, and the loss of all then.
+  /// The best number of lit points, and the loss of all points with it.
   ///
   /// lit_loss_of  loss of a point that is lit
-  /// loss_of      loss of all points, given the sum of that of the lit ones and their number
+  /// loss_of      loss of all points, given the lit points' loss and number
   template <typename Loss, typename TotalLoss>
   Cut best_cut(const Loss& lit_loss_of, const TotalLoss& loss_of) const;
   template <typename Loss>
   Cut best_cut(const Loss& lit_loss_of) const;
   Cut best_cut_at(double exponent) const;
-  /// cos^S of the first points, as objective() left them.
+  /// cos^S of the first points, as kept by objective().
   std::span<const double> kept_powers(double exponent) const;
 
   const std::vector<ConePoint>& points_;
-  std::vector<std::size_t> cuts_;  // numbers of points that a cone can light, increasing
+  std::vector<std::size_t> cuts_;  // possible numbers of lit points, increasing
   std::vector<double> own_exponents_;
-  std::vector<double> falls_;  // -ln cos of each point; not a number beyond 90 degrees
-  /// cos^S of the first points at an S that objective() was asked for: it is an end of two boxes later.
+  std::vector<double> falls_;  // -ln cos of each point; NaN beyond 90 degrees
+  /// cos^S of the first points, by S of earlier calls of objective(): each S later bounds two boxes.
   mutable std::unordered_map<double, std::vector<double>> powers_;
-  std::vector<double> dark_losses_;  // of the points from each on, and 0
+  std::vector<double> dark_losses_;  // sums over the points from each on, then 0
   double fall_ = 1;
 };
 

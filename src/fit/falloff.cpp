@@ -160,7 +160,7 @@ Coefficients within_bounds(const Falloff& falloff, Coefficients q) {
 /// Newton steps in extended precision, as long as they bring the slopes nearer to 0 and the objective does not rise.
 FalloffMinimum refine(const Falloff& falloff, FalloffMinimum minimum) {
   using Real = long double;
-  constexpr double kRounding = 1e-16;  // of slopes that no coefficient leaves its bound for
+  constexpr double kRounding = 1e-16;  // slopes up to this make no coefficient leave its bound
   const auto& start = minimum.coefficients;
   std::array<Real, 3> q{start[0], start[1], start[2]};
   Slopes<Real> at = slopes_at(falloff, q);
@@ -288,7 +288,7 @@ FalloffMinimum descend(const Falloff& falloff, const Coefficients& start) {
 }
 
 std::optional<std::array<double, 9>> covariance_of(const Falloff& falloff, const Coefficients& q) {
-  constexpr double kRounding = 1e-12;  // of slopes
+  constexpr double kRounding = 1e-12;  // relative rounding of slopes
   Slopes<double> at = slopes_at(falloff, q);
   project_onto_end(falloff, q, at.slope);
   std::vector<Eigen::Index> free;

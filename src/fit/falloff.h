@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-// The range fit in the coordinates that it is computed in. Internal.
+// The range fit in scaled coordinates. Internal.
 
 namespace litfog {
 
@@ -18,14 +18,14 @@ using Coefficients = std::array<double, 3>;
 /// D at x.
 inline double denominator(const Coefficients& q, double x) { return q[0] + x * (q[1] + x * q[2]); }
 
-/// What a residual z costs: z^2, beyond the scale s linearly. (Soft L1; s = infinity is plain least squares. Even, and
-/// with one inflection as a function of the denominator, so that the search below needs to know no other.)
+/// The cost of a residual z: z^2, but linear beyond the scale s. (Soft L1; s = infinity is plain least squares. Even,
+/// and with one inflection as a function of the denominator, so that the search below needs to know no other.)
 class Loss {
  public:
   explicit Loss(double scale = std::numeric_limits<double>::infinity());
 
   double scale() const { return scale_; }
-  bool is_plain() const { return is_plain_; }  ///< z^2: the scale is infinite
+  bool is_plain() const { return is_plain_; }  ///< plain z^2: the scale is infinite
 
   template <typename Real>
   Real value(Real z) const {
@@ -40,12 +40,12 @@ class Loss {
     const Real s = stretch(z);
     return 2 / (s * s * s);
   }
-  /// Derivative by |z| of the root of value: 1 where value is a square.
+  /// Derivative of sqrt(value) by |z|: 1 where value is z^2.
   double root_slope(double z) const {
     const double s = stretch(z);
     return std::sqrt((1 + s) / 2) / s;
   }
-  /// The residual >= 0 that costs `value`.
+  /// The residual >= 0 with the cost `value`.
   double residual(double value) const { return std::sqrt(value + value / scale_ * (value / scale_) / 4); }
   /// The z up to which value(ln D - y) is convex in D: where curvature = slope.
   double convex_limit() const { return convex_limit_; }
@@ -63,7 +63,7 @@ class Loss {
   double convex_limit_;
 };
 
-/// Bound of C where an extent is given, in units of 1/threshold.
+/// Upper bound of C, as a fraction of 1/threshold, where an extent is given.
 inline constexpr double kMaxConstantFraction = 1 - 0x1p-20;
 
 /// Minimise sum w loss(y - ln max(1, D)), D = q0 + q1 x + q2 x^2, over q >= 0.
@@ -83,17 +83,17 @@ struct Falloff {
   };
   std::optional<End> end = {};
   Loss loss = Loss();
-  /// False: samples darker than 1 are met by -ln D even where D < 1. The search wants it so.
+  /// False: samples darker than 1 are compared with -ln D even where D < 1, as the search needs.
   bool is_clamped = true;
 
   double weight_sum() const;
-  /// An objective that is nothing but rounding: residuals of 1e-12.
+  /// An objective of rounding alone: residuals of 1e-12.
   double negligible() const { return 1e-24 * weight_sum(); }
   double objective(const Coefficients& q) const;
   /// Largest C that leaves an extent; only with an end and without a constant.
   double largest_constant() const { return kMaxConstantFraction * double(end->top); }
   /// Whether the clamp holds the sample's attenuation at 1, so that its residual has no slope. At D = 1 the slope is
-  /// that above, which is 0 for a sample with attenuation 1.
+  /// that from above, which is 0 for a sample with attenuation 1.
   template <typename Real>
   bool is_level(Real d, const Sample& sample) const {
     return (is_clamped || sample.y == 0) && (sample.y > 0 ? d < 1 : d <= 1);
@@ -121,12 +121,12 @@ Coefficients linear_start(const Falloff& falloff);
 /// tolerance  fraction of the objective: the last step lowers it by less
 FalloffMinimum approach(const Falloff& falloff, const Coefficients& start, double tolerance);
 
-/// The minimum to all digits: then Newton steps in extended precision.
+/// The minimum to all digits: approach(), then Newton steps in extended precision.
 FalloffMinimum descend(const Falloff& falloff, const Coefficients& start);
 
-/// Of the coefficients at a minimum, row by row, with the residuals' own variance; 0 for those that a bound holds
-/// against a slope. Absent where the samples do not identify the others: a rank below their count at the working
-/// precision, or no residual to spare.
+/// Covariance of the coefficients at a minimum, row by row, with the residuals' own variance; 0 for coefficients that a
+/// bound holds against a slope. Absent where the samples do not identify the others: a rank below their count at the
+/// working precision, or no residual to spare.
 std::optional<std::array<double, 9>> covariance_of(const Falloff& falloff, const Coefficients& q);
 
 /// Largest violation of the conditions of optimality. A coefficient's slope is divided by what it would be if all

@@ -326,7 +326,7 @@ class HeldSearch {
     return point;
   }
 
-  /// Of the objective, but for the held samples' cost.
+  /// Lower bound of the objective without the held samples' cost.
   double lower_bound(const Box& box) {
     const Coefficients low = low_corner(box), high = high_corner(box), point = middle(box);
     for (std::size_t i = 0; i < terms_.size(); ++i) {
@@ -508,7 +508,7 @@ class HeldSearch {
   double held_cost_;
   FalloffMinimum& best_;
   std::vector<Term> terms_;
-  std::vector<Range> ranges_;  ///< of the terms that are not held, in the box at hand
+  std::vector<Range> ranges_;  ///< one a term that is not held, in the current box
   Coefficients reference_{};
   bool is_reference_smooth_ = false;  ///< each term has a tangent there
   bool has_own_reference_ = false;    ///< other than the best known minimum

@@ -46,12 +46,12 @@ struct Iterate {
   Vector residuals;
   Matrix jacobian;
   std::vector<bool> is_held;  ///< at a bound, and the objective falls beyond it
-  Vector step;                ///< of Gauss and Newton, in the free parameters
+  Vector step;                ///< Gauss-Newton step in the free parameters
   double projection = 0;      ///< norm of the residuals projected onto the free columns of the Jacobian
   double gradient = 0;
   double relative_step = 0;  ///< both in what they do to the residuals
   bool has_full_rank = false;
-  Matrix covariance;  ///< but for the variance
+  Matrix covariance;  ///< without the factor of the variance
 
   double objective() const { return 0.5 * residuals.squaredNorm(); }
 };

@@ -15,8 +15,8 @@
 
 namespace litfog {
 
-/// Residuals at the parameters and, where the jacobian is not empty, their derivatives, row by row (a row a residual).
-/// False where the model has no value: no descent goes there.
+/// Computes residuals at the parameters and, if the jacobian is not empty, their derivatives, one row a residual.
+/// Returns false where the model has no value: no descent goes there.
 using ResidualFunction =
     std::function<bool(std::span<const double> parameters, std::span<double> residuals, std::span<double> jacobian)>;
 
@@ -29,13 +29,13 @@ struct LeastSquaresProblem {
 };
 
 enum class Descent {
-  one,      ///< by Gauss-Newton, or by Levenberg-Marquardt where that stalls: where a local optimum is enough
+  one,      ///< Gauss-Newton, or Levenberg-Marquardt where that stalls: if a local optimum is enough
   several,  ///< the best of what different trust regions find, for starts that may be far off
 };
 
 enum class LeastSquaresStatus {
   converged,  ///< gradient at most 1e-6, or the next step would change the parameters by less than 1e-10 of themselves
-  stalled,    ///< no descent got further, but they do not hold: the parameters are the best found
+  stalled,    ///< no descent got further, but `converged` does not hold: the parameters are the best found
   undefined,  ///< the model has no value at the start: the parameters are the start
 };
 
@@ -46,12 +46,13 @@ struct LeastSquaresFit {
                          ///< says nothing of residuals that are but rounding
   std::size_t iterations = 0;
   LeastSquaresStatus status = LeastSquaresStatus::undefined;
-  /// Of the parameters, row by row, with the residuals' own variance; 0 for those at a bound. Absent where the data do
-  /// not identify them: a rank below the count of free parameters at the working precision, or no residual to spare.
+  /// Covariance of the parameters, row by row, with the residuals' own variance; 0 for parameters at a bound. Absent
+  /// where the data do not identify the parameters: a rank below the count of free parameters at the working precision,
+  /// or no residual to spare.
   std::optional<std::vector<double>> covariance = std::nullopt;
 };
 
-/// start  as many as there are parameters, at least one, within the bounds
+/// start  one value a parameter, at least one, within the bounds
 LeastSquaresFit fit_least_squares(const LeastSquaresProblem& problem, std::span<const double> start,
                                   Descent descent = Descent::several);
 

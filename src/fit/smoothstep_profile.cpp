@@ -106,9 +106,9 @@ double SmoothstepProfile::mean_value_bound(const ConeBox& box, double middle_obj
   const auto t_at = [](double versine, const ConeParameters& parameters) {
     return std::clamp((parameters[1] - versine) / (parameters[1] - parameters[0]), 0.0, 1.0);
   };
-  constexpr double kSteepest = 8.0 / 9;  // of 6 t^2 (1 - t), at 2/3, and of 6 t (1 - t)^2, at 1/3
+  constexpr double kSteepest = 8.0 / 9;  // largest value of 6 t^2 (1 - t), at 2/3, and of 6 t (1 - t)^2, at 1/3
   constexpr std::array kSteepestAt{2.0 / 3, 1.0 / 3};
-  std::array<Slope, 2> slopes;  // of F
+  std::array<Slope, 2> slopes;  // slopes of F
   const Point dark = dark_from(box.most[1]);
   for (Point point = full_end(box.least); point < dark; ++point) {  // others are flat in the whole box
     const double low = t_at(point->versine, box.least), high = t_at(point->versine, box.most);
@@ -161,8 +161,8 @@ ConeParameters SmoothstepProfile::softest(const ConeParameters& parameters, doub
   double full = 0;
   double dark = outer_ ? *outer_ : 2;
   double inside = 0;
-  double part = 0;        // of the edge beyond it, linear in the versine
-  std::size_t count = 0;  // of different angles
+  double part = 0;        // fraction of the edge beyond `inside`, linear in the versine
+  std::size_t count = 0;  // number of different angles
   for (const ConePoint& point : points_) {
     const double cone = smoothstep_at(point, parameters);
     constexpr double kEnd = 1e-9;  // a descent ends so near a full or dark point, not on it

@@ -15,24 +15,24 @@ namespace litfog {
 /// smoothstep(cos outer, cos inner, cos u), as a profile of ConeSearch. Parameters are the versines of inner and outer.
 class SmoothstepProfile {
  public:
-  /// points  outlive the profile
+  /// points  must outlive the profile
   /// outer   radians, where given
   SmoothstepProfile(const std::vector<ConePoint>& points, std::optional<double> outer);
 
   ConeBox root() const;
-  /// The middle, or near the diagonal the corner that is a cone.
+  /// The box's middle or, near the diagonal, its corner that is a cone.
   std::optional<ConeParameters> start(const ConeBox& box) const;
   double objective(const ConeParameters& parameters) const;
   double bound(const ConeBox& box, double start_objective) const;
   ConeCandidate descend(const ConeParameters& start, std::size_t& iterations) const;
 
-  /// The softest of the edges that all points see alike, where fewer of them are in the edge than it has parameters.
+  /// The softest of all edges that give the points the same fractions, where the edge has fewer points than parameters.
   ConeParameters softest(const ConeParameters& parameters, double exact, bool& is_identified) const;
 
  private:
   using Point = std::vector<ConePoint>::const_iterator;
 
-  Point full_end(const ConeParameters& parameters) const;  ///< of the points at full light
+  Point full_end(const ConeParameters& parameters) const;  ///< the end of the points at full light
   Point dark_from(double outer) const;
   /// The sum of the losses: of points before `full`, which are at full light, of the lit ones by `loss`, and of those
   /// from `dark` on, which are dark.
@@ -41,8 +41,8 @@ class SmoothstepProfile {
   double mean_value_bound(const ConeBox& box, double middle_objective) const;
 
   const std::vector<ConePoint>& points_;
-  std::vector<double> full_losses_;  // of the points before each, at full light
-  Point dark_begin_;                 // of the points that are dark themselves, to the last
+  std::vector<double> full_losses_;  // sums over the points before each, at full light
+  Point dark_begin_;                 // from here to the last all points are dark
   std::optional<double> outer_;      // versine, where given
 };
 

@@ -8,8 +8,8 @@
 
 #include "litfog/attenuation.h"
 
-// Where the attenuation falls to a level, to more digits than T has. Internal: extent and knee are such ranges, and the
-// solver needs their rounding error too.
+// The range at which the attenuation falls to a level, to more digits than T has. Internal: extent and knee are such
+// ranges, and the solver also needs their rounding error.
 
 namespace litfog {
 
@@ -78,7 +78,7 @@ template <typename... Doubles>
 bool is_in_safe_range(Doubles... values) {
   static_assert(std::numeric_limits<long double>::max_exponent >= 16384, "litfog needs a long double of wider range");
   const auto is_safe = [](double x) { return int(x == 0) | (int(x >= 0x1p-100) & int(x <= 0x1p+100)); };
-  return (is_safe(values) & ...) != 0;  // without branches, which a mix of lights would mislead
+  return (is_safe(values) & ...) != 0;  // without branches, which a mix of lights would mispredict
 }
 
 /// Coefficients >= 0, with -0 as 0: 1 / -0 is -infinity.

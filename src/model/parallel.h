@@ -12,8 +12,8 @@
 
 namespace litfog {
 
-/// Calls work(i) for i in [0, count) on all cores, in that order. After an exception no other call begins; it is thrown
-/// when those that had begun have ended.
+/// Calls work(i) for i in [0, count) on all cores, in that order. After an exception no other call begins, and the
+/// exception is thrown once all begun calls have ended.
 template <typename Work>
 void for_each_in_parallel(std::size_t count, const Work& work) {
   std::atomic<std::size_t> next = 0;
@@ -29,8 +29,8 @@ void for_each_in_parallel(std::size_t count, const Work& work) {
   try {
     const std::size_t cores = std::min<std::size_t>(count, std::thread::hardware_concurrency());
     for (std::size_t i = 1; i < cores; ++i) others.push_back(std::async(std::launch::async, run));
-  } catch (const std::system_error&) {  // no more threads: those that have started, and this one, do all
-  } catch (const std::bad_alloc&) {     // nor memory for them
+  } catch (const std::system_error&) {  // no more threads: those that started, and this one, do all the work
+  } catch (const std::bad_alloc&) {     // no memory for more threads
   }
   run();
   for (std::future<void>& other : others) other.get();

@@ -22,7 +22,7 @@ inline void require(const std::optional<ValueError>& error) {
   if (error) throw std::invalid_argument(to_string(*error));
 }
 
-/// Throws where a count is wrong. A ValueError's double does not hold each count.
+/// Throws for a wrong count. A ValueError's double cannot hold every count.
 [[noreturn]] inline void fail_count(const char* field, std::size_t count, const char* rule) {
   throw std::invalid_argument(std::string(field) + " = " + std::to_string(count) + ": " + rule);
 }
@@ -30,7 +30,7 @@ inline void require(const std::optional<ValueError>& error) {
 /// Finite and >= 0; false for NaN.
 inline bool is_finite_and_not_negative(double x) { return x >= 0 && x <= std::numeric_limits<double>::max(); }
 
-/// What is wrong with a colour whose components are called so, or nothing.
+/// What is wrong with a colour with components of these names, or nothing.
 inline std::optional<ValueError> check_color(const glm::dvec3& color, const std::array<const char*, 3>& names) {
   for (int i = 0; i < 3; ++i) {
     if (!is_finite_and_not_negative(color[i])) {
@@ -40,7 +40,7 @@ inline std::optional<ValueError> check_color(const glm::dvec3& color, const std:
   return std::nullopt;
 }
 
-/// What is wrong with a position whose coordinates are called so, or nothing.
+/// What is wrong with a position with coordinates of these names, or nothing.
 inline std::optional<ValueError> find_position_error(const glm::dvec3& position,
                                                      const std::array<const char*, 3>& names) {
   for (int i = 0; i < 3; ++i) {

@@ -5,7 +5,7 @@
 
 namespace litfog {
 
-/// 1 - cos u, and its inverse: the cosines of a narrow cone differ in their last digits only.
+/// 1 - cos u, and its inverse, because the cosines of a narrow cone differ in their last digits only.
 inline double versine(double angle) {
   const double sine = std::sin(angle / 2);
   return 2 * sine * sine;

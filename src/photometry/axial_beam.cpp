@@ -19,10 +19,10 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kAxialSteps = 720;  // of a quarter degree, from an axis to its opposite
+constexpr int kAxialSteps = 720;  // a quarter degree each, from an axis to its opposite
 constexpr double kAxialStep = pi / kAxialSteps;
 constexpr double kMinAxialStep = kAxialStep / 25;
-constexpr int kFineSteps = 100;  // of a finer grid, from the axis
+constexpr int kFineSteps = 100;  // steps of the finer grid, from the axis
 
 bool is_own_axis(const IntensityDistribution& distribution, const glm::dvec3& axis) {
   return distribution.type == PhotometryType::c && (axis == kPhotometricAxis || axis == -kPhotometricAxis);

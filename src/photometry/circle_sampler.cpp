@@ -117,7 +117,7 @@ Circle CircleSampler::at(double angle) const {
   const int wanted = std::max(kMinSteps, int(std::ceil(kEquatorSteps * sine)));
   const std::vector<PoleCoordinates>& rim = rims_[std::size_t(kEquatorSteps / wanted) - 1];
   Column pole, ahead, aside, radius, turns, rises;
-  std::size_t lit = 0;  // of directions that may be
+  std::size_t lit = 0;  // number of directions that may be lit
   for (const PoleCoordinates& at_rim : rim) {
     const PoleCoordinates direction{cosine * forward_.pole + sine * at_rim.pole,
                                     cosine * forward_.ahead + sine * at_rim.ahead,
@@ -147,7 +147,7 @@ Circle CircleSampler::at(double angle) const {
     most = std::max(most, value);
   }
   const double count = double(rim.size()), dark = count - double(lit);
-  const double offset = (sum - dark * pivot) / count;  // of the mean
+  const double offset = (sum - dark * pivot) / count;  // the mean's offset from the pivot
   const double square = (squares + dark * pivot * pivot) / count - offset * offset;
   const double mean = std::max(0.0, pivot + offset);
   if (dark > 0) least = 0;

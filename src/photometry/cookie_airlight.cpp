@@ -19,7 +19,7 @@ using airlight_text::Text;
 struct CookieOnRay {
   const Cookie& cookie;
   glm::dvec3 offset;     ///< from the light to the closest approach
-  glm::dvec3 direction;  ///< of the ray; both in the cookie's frame
+  glm::dvec3 direction;  ///< direction of the ray; both in the cookie's frame
 
   template <typename Real>
   Real operator()(Real along) const {

@@ -18,7 +18,7 @@ namespace litfog {
 namespace {
 
 constexpr std::size_t kMaxFileBytes = std::size_t{400} << 20;  // texels are stored as they are where zip gains nothing
-constexpr uint64_t kMaxExpansion = 1032;                       // of deflate, https://zlib.net/zlib_tech.html
+constexpr uint64_t kMaxExpansion = 1032;                       // deflate's, https://zlib.net/zlib_tech.html
 constexpr int kPart = 0;
 constexpr const char* kComment =
     "litfog cookie: a light's intensity per its peak by direction; the faces +x -x +y -y +z -z of a cube map from the "

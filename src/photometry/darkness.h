@@ -11,12 +11,12 @@ namespace litfog {
 /// Whether any intensity of a vertical angle, by its index, is above 0.
 bool is_row_lit(const IntensityDistribution& distribution, std::size_t vertical);
 
-/// The directions outside a distribution's lit angles, which most are of a narrow beam.
+/// The directions outside a distribution's lit angles: most directions, for a narrow beam.
 class Darkness {
  public:
   explicit Darkness(const IntensityDistribution& distribution);
 
-  /// True only where intensity_at() is 0. Neither inverse trigonometric functions nor branches are needed for it.
+  /// True only where intensity_at() is 0. Needs neither inverse trigonometric functions nor branches.
   bool holds(const PoleCoordinates& unit) const {
     constexpr double kMargin = 1e-6;  // above the tolerance of measured angles
     const auto [pole, ahead, aside] = unit;
@@ -28,7 +28,7 @@ class Darkness {
 
  private:
   double least_pole_, most_pole_;
-  double low_ahead_ = 0, low_aside_ = 0;  // 0, as of type C: no turn is below
+  double low_ahead_ = 0, low_aside_ = 0;  // 0, as for type C: no turn is below
   double high_ahead_ = 0, high_aside_ = 0;
   bool is_wide_ = false;  // the lit turn is more than a half
 };

@@ -15,8 +15,8 @@ using std::numbers::pi;
 
 constexpr int kAngles = 512;       // from the axis to the end of the beam
 constexpr int kDarkAngles = 32;    // from there to 180 degrees
-constexpr int kPlanes = 180;       // of a quarter turn
-constexpr int kCircleSteps = 512;  // of a quarter turn
+constexpr int kPlanes = 180;       // in a quarter turn
+constexpr int kCircleSteps = 512;  // in a quarter turn
 
 /// Angle from the axis of an ellipse's direction.
 double angle_at(double horizontal, double vertical, double turn) {

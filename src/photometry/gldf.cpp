@@ -21,8 +21,8 @@ namespace litfog {
 namespace {
 
 constexpr const char* kProduct = "product.xml";
-constexpr std::string_view kFolder = "ldc/";  // of photometric files, and the beginning of their content types
-constexpr std::size_t kMaxNameBytes = 4096;   // of an entry that is kept in mind
+constexpr std::string_view kFolder = "ldc/";  // holds photometric files; their content types begin with it
+constexpr std::size_t kMaxNameBytes = 4096;   // longest name of an entry that is kept
 
 using OpenArchive = std::unique_ptr<std::remove_pointer_t<unzFile>, decltype(&unzClose)>;
 

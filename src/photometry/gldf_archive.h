@@ -12,7 +12,7 @@
 namespace litfog {
 
 inline constexpr int kMaxGldfEntries = 10'000;
-/// What the photometric files of a container may unpack to.
+/// Largest total size to which a container's photometric files may unpack.
 inline constexpr std::uint64_t kMaxGldfBytes = std::uint64_t{256} << 20;
 
 /// The directory of a GLDF container's zip archive, read once, so that each entry is found without reading it again.
@@ -29,7 +29,7 @@ class GldfArchive {
   std::string read(const std::string& entry) const;
 
   /// Throws InputError where entries unpack to more than kMaxGldfBytes together, or two of them share packed bytes. No
-  /// honest archive has such entries. Those that are not there are left out.
+  /// honest archive has such entries. Missing entries are ignored.
   void expect_sound(const std::vector<std::string>& entries) const;
 
  private:

@@ -43,7 +43,7 @@ int edition_of(std::string_view first_line) {
 
 /// What follows "TILT=" on a line, if that is what it is.
 std::optional<std::string_view> tilt_of(std::string_view line) {
-  if (!line.starts_with('T') && !line.starts_with('t')) return std::nullopt;  // of almost all lines
+  if (!line.starts_with('T') && !line.starts_with('t')) return std::nullopt;  // early exit for almost all lines
   if (upper(line.substr(0, 4)) != "TILT") return std::nullopt;
   const std::string_view rest = trimmed(line.substr(4));
   if (!rest.starts_with('=')) return std::nullopt;

@@ -21,7 +21,7 @@ constexpr std::string_view kEllipses = "candela,horizontal_deg,vertical_deg";
 constexpr std::string_view kHeaderRule =
     "must be vertical_deg and the horizontal angles, or candela,horizontal_deg,vertical_deg, with commas between";
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-constexpr std::size_t kMaxCells = 1000;  // of a row
+constexpr std::size_t kMaxCells = 1000;  // a row
 
 /// At most one more than a row may have.
 std::vector<Piece> cells_of(const Piece& line) {
@@ -61,7 +61,7 @@ class Rows {
   }
 
   const TextScanner& scanner() const { return scanner_; }
-  const std::string& name() const { return name_; }  ///< of the light
+  const std::string& name() const { return name_; }  ///< the light's name
 
  private:
   TextScanner scanner_;

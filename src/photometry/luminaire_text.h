@@ -7,9 +7,9 @@
 
 namespace litfog {
 
-/// Parses a photometric file of any kind but GLDF, which its content says.
+/// Parses a photometric file of any kind but GLDF; the kind follows from the content.
 ///
-/// path  of the file, for messages and for the ending
+/// path  for messages and for the file's ending
 Luminaire parse_luminaire(std::string bytes, const std::string& path);
 
 }  // namespace litfog

@@ -10,7 +10,7 @@
 
 namespace litfog {
 
-/// Radians: a direction at the last measured angle must not round to beyond it.
+/// Radians, so that a direction at the last measured angle does not round to beyond it.
 inline constexpr double kAngleTolerance = 1e-9;
 
 /// The number of measured parts in a whole turn of type C: 1, 2 or 4.
@@ -19,17 +19,17 @@ inline int turn_multiplicity(std::span<const double> turn) {
   return span > 1.5 * std::numbers::pi ? 1 : span > 0.75 * std::numbers::pi ? 2 : 4;
 }
 
-/// Of types A and B.
+/// Whether angles of type A or B are mirrored at 0.
 inline bool is_mirrored(std::span<const double> angles) { return angles.front() == 0; }
 
-/// The number of times that a sphere has what is measured.
+/// How many times the measured part is repeated over the sphere.
 inline int measured_parts(const IntensityDistribution& distribution) {
   const auto& [type, horizontal, vertical, intensity] = distribution;
   if (type == PhotometryType::c) return horizontal.size() == 1 ? 1 : turn_multiplicity(horizontal);
   return (is_mirrored(horizontal) ? 2 : 1) * (is_mirrored(vertical) ? 2 : 1);
 }
 
-/// The mean over a turn of type C of what is linear between the planes.
+/// The mean over a turn of type C of values that are linear between the planes.
 template <typename InPlane>
 double mean_over_turn(std::span<const double> turn, const InPlane& in_plane) {
   if (turn.size() == 1) return in_plane(std::size_t(0));

@@ -12,8 +12,8 @@ namespace litfog {
 /// How far an intensity may lie below zero, as a fraction of the largest: the noise of a dark direction.
 inline constexpr double kMaxNegative = 1e-3;
 
-/// Intensities as a file holds them, one piece each, times a factor: candela. Those below zero by no more than
-/// kMaxNegative of the largest are 0.
+/// Reads intensities, one piece each, and scales them to candela. Those below zero by no more than kMaxNegative of the
+/// largest are 0.
 class IntensityReader {
  public:
   /// count  for errors: "intensity 12 of 361"
@@ -21,7 +21,7 @@ class IntensityReader {
       : scanner_(scanner), count_(count), factor_(factor) {}
 
   void add(const TextScanner::Piece& piece);
-  /// What was added, one or more; checked as a whole.
+  /// The intensities added, one or more, checked as a whole.
   std::vector<double> finish();
   /// The largest intensity that was added.
   const TextScanner::Piece& largest() const { return largest_; }
@@ -51,9 +51,9 @@ class PhotometricGrid {
   int count(std::string_view what, int least);
   /// Strictly increasing angles within [low, high] degrees.
   std::vector<double> angles(std::string_view what, int count, double low, double high);
-  /// As IntensityReader takes them.
+  /// Intensities, by the rules of IntensityReader.
   std::vector<double> intensities(std::size_t count, double factor);
-  /// What was read last, for an error.
+  /// The piece read last, for an error.
   const TextScanner::Piece& last() const { return last_; }
   /// The largest intensity that was read.
   const TextScanner::Piece& largest() const { return largest_; }
@@ -65,11 +65,11 @@ class PhotometricGrid {
   TextScanner::Piece largest_{};
 };
 
-/// The rated flux of all lamps. No intensity depends on it, so that a number of lamps or a flux that cannot be is one
-/// that is not stated.
+/// The rated flux of all lamps. No intensity depends on it, so an impossible number of lamps or flux counts as not
+/// stated.
 std::optional<double> lamp_flux_of(double lamps, double lumens);
 
-/// The angles in degrees that a type has.
+/// The range of a type's angles, in degrees.
 struct AngleLimits {
   double least_horizontal, most_horizontal, least_vertical, most_vertical;
 };
@@ -85,7 +85,7 @@ constexpr AngleLimits limits_of(PhotometryType type) {
   return {-180, 360, 0, 180};
 }
 
-/// Whether planes of type C are the whole turn, or the part of it that a symmetry leaves.
+/// Whether planes of type C span the whole turn, or the part of it that a symmetry leaves.
 bool is_turn(const std::vector<double>& planes_deg);
 inline constexpr const char* kTurnRule =
     "must be one of planes at 0, from 0 to 90, 180 or 360, from 90 to 270, from -90 to 90, or from -180 to 180";
@@ -93,13 +93,13 @@ inline constexpr const char* kTurnRule =
 /// Whether planes of type C in degrees go all round: the gap to the first one is no wider than the widest step.
 bool is_closed_turn(const std::vector<double>& planes_deg);
 
-/// Adds the first plane again where the turn of such planes ends, unless it is there.
+/// Closes a turn for which is_closed_turn(): repeats the first plane at the end, unless it is there.
 void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity);
 
 /// "must be in [-90, 90]"
 std::string range_rule(double low, double high);
 
-/// An angle, or the multiple of 90 degrees that it is but for a float's rounding: where parts of a turn end.
+/// An angle, snapped to a multiple of 90 degrees, where parts of a turn end, if it differs by a float's rounding only.
 double with_right_angles(double degrees);
 
 std::vector<double> radians_from_degrees(std::vector<double> angles);

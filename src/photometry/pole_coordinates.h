@@ -7,11 +7,11 @@
 
 namespace litfog {
 
-/// A direction by the line on which all half planes of a type meet.
+/// A direction in coordinates of the line on which all half planes of a type meet.
 struct PoleCoordinates {
   double pole;   ///< along that line: the vertical axis of type A, the horizontal one of B, the photometric one of C
   double ahead;  ///< in the half plane of turn 0
-  double aside;  ///< in that of turn pi / 2
+  double aside;  ///< in the half plane of turn pi / 2
 };
 
 inline PoleCoordinates pole_coordinates(PhotometryType type, const glm::dvec3& direction) {

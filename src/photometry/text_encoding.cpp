@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view kLittleEndianMark = "\xFF\xFE";
 constexpr std::string_view kBigEndianMark = "\xFE\xFF";
-constexpr std::size_t kSampleBytes = std::size_t{64} << 10;  // of text beyond ASCII, enough to guess from
+constexpr std::size_t kSampleBytes = std::size_t{64} << 10;  // of text beyond ASCII are enough to guess from
 
 bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
@@ -31,7 +31,7 @@ std::string utf8_from_latin1(std::string_view text) {
   return result;
 }
 
-/// Nothing where iconv does not know an encoding, or the text is not of it or has no place in the other.
+/// Nothing where iconv does not know an encoding, or the text is invalid in it or not representable in the other.
 std::optional<std::string> convert(std::string_view text, const char* from, const char* to = "UTF-8") {
   const auto close = [](iconv_t converter) { iconv_close(converter); };
   const iconv_t opened = iconv_open(to, from);

@@ -16,7 +16,7 @@
 namespace litfog {
 namespace {
 
-constexpr std::size_t kMaxShown = 40;               // of a value in a message
+constexpr std::size_t kMaxShown = 40;               // characters of a value in a message
 constexpr std::string_view kBlank = " \t\v\f\x1A";  // 0x1A ended a file under DOS
 constexpr std::string_view kLineEnd = "\r\n";
 
@@ -47,7 +47,7 @@ std::string excerpt(std::string_view text) {
 
 std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
-  std::string with_e;  // in place of Fortran's D
+  std::string with_e;  // with E instead of Fortran's D
   if (const auto exponent = text.find_first_of("Dd"); exponent != text.npos) {
     with_e = text;
     with_e[exponent] = 'e';

@@ -25,11 +25,11 @@ class TextScanner {
 
   struct Piece {
     std::string_view text;
-    std::size_t offset;       ///< of its first byte
-    bool is_missing = false;  ///< the file had ended
+    std::size_t offset;       ///< first byte
+    bool is_missing = false;  ///< the file ended before it
   };
 
-  /// The bytes as utf8_from_bytes() takes them.
+  /// bytes  as for utf8_from_bytes()
   TextScanner(std::string bytes, std::string name);
   TextScanner(const TextScanner&) = delete;
   TextScanner& operator=(const TextScanner&) = delete;
@@ -41,11 +41,11 @@ class TextScanner {
 
   /// A piece as a number: decimal, whole and finite; its exponent may be Fortran's, 1.5D+03. `what` names it in errors.
   double number(const Piece& piece, std::string_view what) const;
-  /// The same, of a field that no intensity depends on: nothing where it is no number.
+  /// number() of a field on which no intensity depends: nothing if the piece is no number.
   static std::optional<double> number_if_any(const Piece& piece);
   int integer(const Piece& piece, std::string_view what, int low, int high) const;
   double positive(const Piece& piece, std::string_view what) const;
-  /// Fails at a number in the rest of the file, where other text is allowed.
+  /// Fails if the rest of the file has a number; other text is allowed.
   void expect_no_more_numbers();
 
   InputLocation location(const Piece& piece) const;

@@ -15,7 +15,7 @@ std::string_view local_name(const pugi::xml_node& element);
 /// An element's first child of a local name, or an empty node.
 pugi::xml_node child_of(const pugi::xml_node& element, std::string_view name);
 
-/// An XML document that knows where in its text each node stands.
+/// An XML document that knows the position of each node in its text.
 class XmlText {
  public:
   /// Throws InputError where it is not well-formed, or larger than 16 MiB: a document takes up to 20 times its text.

@@ -5,7 +5,7 @@
 
 namespace litfog::python {
 
-/// Raises InputError and OutputError of C++ as these classes of litfog's, from whatever function of this extension.
+/// Makes every function of this extension raise C++'s InputError and OutputError as these Python classes.
 void translate_errors(const pybind11::object& input_error, const pybind11::object& output_error);
 
 }  // namespace litfog::python

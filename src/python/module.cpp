@@ -730,7 +730,7 @@ void bind_updater(py::module_& m) {
 }  // namespace litfog::python
 
 PYBIND11_MODULE(_litfog, m) {
-  m.attr("__name__") = "litfog";  // of which all below is a part
+  m.attr("__name__") = "litfog";  // the package of everything below
   m.doc() =
       "How brightly lights make fog glow, with stated errors. Metres, densities in 1/m, angles in radians, colours in\n"
       "linear RGB. A value out of range raises ValueError with the field, the value and the rule.";

@@ -31,7 +31,7 @@ void expect_plain_values(const py::handle& object, const std::string& name) {
   if (has_masked_values(object)) {
     throw py::value_error(name + ": must hold no masked values; x.compressed() or x.filled() makes such an array");
   }
-  for (const char* unit : {"unit", "units"}) {  // of astropy, of pint
+  for (const char* unit : {"unit", "units"}) {  // the attributes of astropy and of pint
     if (!py::hasattr(object, unit)) continue;
     throw py::type_error(name + ": must be plain numbers, has the unit " + str_of(object.attr(unit)));
   }

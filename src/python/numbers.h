@@ -11,10 +11,9 @@ namespace litfog::python {
 /// str(object)
 std::string str_of(const pybind11::object& object);
 
-/// Refuses an array whose values alone are not all that it says: one with masked values, or with a unit; or a list of
-/// such.
+/// Refuses an array with masked values or with a unit, which plain values would drop, and a list of such arrays.
 ///
-/// name    of the argument
+/// name    name of the argument
 /// throws  ValueError for masked values, TypeError for a unit
 void expect_plain_values(const pybind11::handle& object, const std::string& name);
 

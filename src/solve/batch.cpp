@@ -154,7 +154,7 @@ HWY_INLINE ReducedExponent<V> reduce_exponent(D d, V u) {
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V exponential_remainder(D d, V f) {
   using T = hn::TFromD<D>;
-  constexpr int kTerms = sizeof(T) == 4 ? 7 : 13;  // of f^n / (n + 2)!
+  constexpr int kTerms = sizeof(T) == 4 ? 7 : 13;  // number of terms f^n / (n + 2)!
   constexpr double kReciprocals[] = {1. / 2,         1. / 6,           1. / 24,          1. / 120,     1. / 720,
                                      1. / 5040,      1. / 40320,       1. / 362880,      1. / 3628800, 1. / 39916800,
                                      1. / 479001600, 1. / 6227020800., 1. / 87178291200.};
@@ -211,7 +211,8 @@ HWY_INLINE VF rough_log1p(DF df, VF x) {
 /// log y for y >= 1 to 0.06, from the bits: linear between powers of two.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF rough_log(DF df, VF y) {
-  constexpr float kUnit = 0.69314718f / 8388608;  // of the bits; 127 exponents are 0
+  constexpr float kUnit =
+      0.69314718f / 8388608;  // ln 2 per exponent, in units of the mantissa's last bit; the exponent's bias is 127
   const hn::RebindToSigned<DF> di;
   return hn::MulAdd(hn::ConvertTo(df, hn::BitCast(di, y)), hn::Set(df, kUnit), hn::Set(df, -127 * 0.69314718f));
 }

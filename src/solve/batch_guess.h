@@ -2,9 +2,9 @@
 #pragma once
 
 // Constants of the batch's first guesses. A step of third order or more follows each guess, so the guess need only be
-// near: the constants were fitted by hand to two or three digits. For each of them batch_guess_test.cpp computes the
-// largest relative error of its formula, the least that any value of the constant reaches, and asserts what stands
-// here.
+// near: the constants were fitted by hand to two or three digits. For each constant batch_guess_test.cpp computes the
+// largest relative error of its formula and the smallest such error for any value of the constant, and asserts the
+// statements here.
 
 namespace litfog::batch_guess {
 

@@ -8,10 +8,10 @@
 #include <cmath>
 #include <cstdint>
 
-// First guesses of the stationary point for series_solve.cpp, whose single step leaves the fifth power of what they
-// lack. The bits of a double, read as an integer, are its binary logarithm to 0.086: roots and logarithms of the first
-// estimate come from them. One substitution into the equation follows. It leaves a known fraction of the estimate's
-// error, which the last line takes off. All constants were fitted together by Nelder and Mead's method;
+// First guesses of the stationary point for series_solve.cpp, whose single step raises their error to the fifth power.
+// The bits of a double, read as an integer, are its binary logarithm to 0.086; the first estimate takes roots and
+// logarithms from them. One substitution into the equation follows, which leaves a known fraction of the estimate's
+// error, subtracted in the last line. All constants were fitted together by Nelder and Mead's method;
 // stationary_guess_test.cpp asserts the errors. Internal.
 
 namespace litfog::stationary_guess {
@@ -25,7 +25,7 @@ inline constexpr double kUnit = 0x1p+52;  ///< the bits of a power of two
 
 HWY_INLINE std::int64_t bits_of(double x) { return std::bit_cast<std::int64_t>(x); }
 
-/// 2^offset times a root whose bits, but for those of 1, these are.
+/// 2^offset times a root, from the root's bits minus those of 1.
 HWY_INLINE double root_of(std::int64_t bits, double offset) {
   return std::bit_cast<double>(bits + (bits_of(1) + std::int64_t(offset * kUnit)));
 }

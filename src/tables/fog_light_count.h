@@ -8,7 +8,7 @@
 
 namespace litfog {
 
-/// Throws where the uniform block has no room for a number of entries.
+/// Throws if the uniform block has no room for this number of entries.
 inline void require_fog_light_count(const char* field, std::size_t count) {
   static_assert(kMaxFogLights == 200);
   if (count > kMaxFogLights) fail_count(field, count, "must be at most 200");

@@ -18,7 +18,7 @@ class ShaderAssembly {
   /// text_of  the text of a file, by its name; throws where there is none
   explicit ShaderAssembly(std::function<std::string_view(std::string_view)> text_of) : text_of_(std::move(text_of)) {}
 
-  /// Adds a line that is of no file, such as `#version`.
+  /// Adds a line that belongs to no file, such as `#version`.
   void add_line(std::string_view line) { text_.append(line).append("\n"); }
 
   /// Adds a file, unless it was added before.

@@ -7,10 +7,9 @@
 
 namespace litfog {
 
-/// Opens a file or a pipe for reading. A pipe that nobody writes to has no end to wait for, and is an error after a
-/// second.
+/// Opens a file or a pipe for reading. A pipe without a writer, which would block forever, is an error after a second.
 ///
-/// throws  InputError, with the name that stands in messages
+/// throws  InputError
 std::FILE* open_file(const std::string& path);
 
 /// The bytes of a file or of a pipe; folders and devices are errors, since a device may have no end.
@@ -18,7 +17,7 @@ std::FILE* open_file(const std::string& path);
 /// max_bytes  a larger file is an error, found without reading more of it
 /// throws     InputError for the file as a whole
 std::string read_file_text(const std::string& path, std::size_t max_bytes);
-/// The same, but of a larger file its first bytes.
+/// read_file_text(), but only the first bytes of a larger file.
 std::string read_file_start(const std::string& path, std::size_t max_bytes);
 
 }  // namespace litfog

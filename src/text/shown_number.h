@@ -10,8 +10,8 @@
 
 namespace litfog {
 
-/// A number for a sentence, rounded to so many digits, or to an integer where that has more. No exponent from 1e-4 to
-/// 1e15. In any locale.
+/// A number for a sentence in any locale, rounded to `digits` digits, or to an integer if that has more. No exponent
+/// from 1e-4 to 1e15.
 inline std::string shown_rounded(double number, int digits) {
   constexpr double kMinFixed = 1e-4, kMaxFixed = 1e15;
   constexpr int kMaxDigits = 9;
@@ -32,13 +32,13 @@ inline std::string shown_rounded(double number, int digits) {
   return std::string(view(end.ptr));
 }
 
-/// The same with its sign, "+0" of none.
+/// shown_rounded() with a sign; 0 is "+0".
 inline std::string shown_change(double number, int digits) {
   return (number < 0 ? "" : "+") + shown_rounded(number, digits);
 }
 
-/// A number for a sentence. One of at most 9 digits, as a person writes it, is shown as written; one that was computed
-/// has more, and is rounded to six, or to an integer where that has more.
+/// A number for a sentence. With at most 9 digits, as a person writes it, it is shown as written; a computed number
+/// with more digits is rounded to six, or to an integer if that has more.
 inline std::string shown_number(double number) {
   constexpr int kMaxWritten = 9, kComputed = 6;
   std::array<char, 32> text;

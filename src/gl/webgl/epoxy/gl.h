@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-// In place of libepoxy, which loads OpenGL's functions: those of WebGL 2, which are OpenGL ES 3.0's, are linked. What
-// ES 3.0 lacks is declared for code that does not use it there.
+// Replaces libepoxy, which loads OpenGL's functions: those of WebGL 2, which are OpenGL ES 3.0's, are linked instead.
+// Functions that ES 3.0 lacks are declared for code that does not use them there.
 #include <GLES3/gl32.h>
 
 inline int epoxy_gl_version() { return 30; }
