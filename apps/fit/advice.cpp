@@ -96,7 +96,7 @@ std::optional<double> ring_angle(const LightTarget& target) {
 
 /// Of a lamp that lights both ways: the brightness of its second beam, a fraction of the first.
 std::optional<double> second_beam(const LightTarget& target) {
-  constexpr double kLeast = 0.25;  // of the first beam
+  constexpr double kLeast = 0.25;  // fraction of the first beam
   if (!target.luminaire || (target.axis != kPhotometricAxis && target.axis != -kPhotometricAxis)) return std::nullopt;
   double level = std::numeric_limits<double>::infinity(), second = 0;
   for (const ConeSample& sample : target.cone->samples) {
@@ -128,7 +128,7 @@ void advise_on_shape(const LightFit& fit, Advice& advice) {
 }
 
 void advise_on_cone(const LightFit& fit, Advice& advice) {
-  constexpr double kPlainMiss = 0.05;  // of an angle
+  constexpr double kPlainMiss = 0.05;  // fraction of an angle
   const ConeProfileFit& best = fit.cone->best();
   advise_on_edge(fit.target, best, advice);
   if (best.field_angle_error && std::abs(*best.field_angle_error) > kPlainMiss) {

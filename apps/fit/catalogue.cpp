@@ -28,7 +28,7 @@ constexpr const char* kLamps = "lamps";
 constexpr const char* kPage = "index.html";
 /// The page's first line, by which a folder is known to be a catalogue's.
 constexpr const char* kFirstLine = "<!DOCTYPE html><!-- a catalogue of litfog-fit -->";
-constexpr std::array kEndings{".json", ".svg", ".png"};  // of a lamp's files
+constexpr std::array kEndings{".json", ".svg", ".png"};  // a lamp's files
 
 constexpr const char* kPageBegin = R"({first_line}
 <html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">

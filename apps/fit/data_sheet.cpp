@@ -71,7 +71,7 @@ void add_range(Sheet& sheet, const AttenuationTarget& target, const AttenuationF
   const auto& [constant, linear, quadratic] = fit.attenuation;
   sheet.add("attenuation", fmt::format("1 / (C + L r + Q r^2), at most 1: C = {:.9g}, L = {:.9g} /m, Q = {:.9g} /m^2",
                                        constant, linear, quadratic));
-  constexpr double kSame = 1e-12;  // of an extent that is met
+  constexpr double kSame = 1e-12;  // relative error of an extent that is met
   const double end = compute_extent(fit.attenuation, fit.threshold), wanted = target.extent.value_or(end);
   sheet.add("extent", fmt::format("{} m, where the attenuation is {}",
                                   shown_number(std::abs(end - wanted) <= kSame * wanted ? wanted : end),

@@ -30,7 +30,7 @@ constexpr double kMinError = 0.5;  // percent: an axis of less would show roundi
 constexpr int kTargetColor = 4;    // black
 constexpr int kFirstColor = 0;
 constexpr int kPlaneColor = 2;
-constexpr int kLineColor = 7;            // of lines that no data make
+constexpr int kLineColor = 7;            // lines without data
 constexpr std::size_t kMaxInKey = 40;    // letters of a light's name
 constexpr std::size_t kMaxInTitle = 36;  // letters a column of charts, for all names
 
@@ -45,7 +45,7 @@ std::string shortened(std::string name, std::size_t most) {
 /// A light as it is drawn.
 struct Subject {
   const LightFit& fit;
-  int color;  ///< of its first line
+  int color;  ///< color of its first line
   int target_color;
   bool is_alone;
 
@@ -121,7 +121,7 @@ std::vector<PlotPoint> range_targets(const AttenuationTarget& target) {
 
 /// Of several lights whose ends lie far apart, a logarithmic one, or the nearer would be lost at 0.
 command::Axis range_axis(const std::vector<Subject>& subjects) {
-  constexpr double kFarApart = 30, kLeast = 0.01;  // of the nearest end
+  constexpr double kFarApart = 30, kLeast = 0.01;  // multiples of the nearest end
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
   for (const Subject& subject : subjects) {
     if (!subject.fit.range) continue;

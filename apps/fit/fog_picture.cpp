@@ -15,10 +15,10 @@
 namespace litfog::fit {
 namespace {
 
-constexpr double kEyeDistance = 30;  // metres from the beam
-constexpr double kLampPlace = 0.15;  // of the width, from the left
-constexpr double kExposure = 4;      // 2 EV
-constexpr int kGap = 2;              // pixels between the views
+constexpr double kEyeDistance = 30;     // metres from the beam
+constexpr double kLampPosition = 0.15;  // fraction of the width, from the left
+constexpr double kExposure = 4;         // 2 EV
+constexpr int kGap = 2;                 // pixels between the views
 constexpr int kViews = int(kFogPictureVisibilities.size());
 constexpr int kRowPixels = kViews * kFogPictureWidth + (kViews - 1) * kGap;
 constexpr int kChannels = 3;
@@ -27,7 +27,7 @@ constexpr int kChannels = 3;
 /// lower half mirrors the upper.
 std::vector<EyeRay> rays_of_view() {
   constexpr double kMetresPerPixel = kFogPictureMetres / kFogPictureWidth;
-  const double left = -kLampPlace * kFogPictureMetres;
+  const double left = -kLampPosition * kFogPictureMetres;
   const glm::dvec3 eye{left + kFogPictureMetres / 2, 0, kEyeDistance};
   std::vector<EyeRay> rays;
   for (int y = 0; y < kFogPictureHeight / 2; ++y) {

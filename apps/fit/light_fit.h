@@ -18,11 +18,11 @@ struct LightFit {
   std::optional<ConeFit> cone;          ///< without a target it is a point light
   Light light;
 
-  std::optional<IntensityDistribution> elliptical_beam;  ///< of a target with ellipses
+  std::optional<IntensityDistribution> elliptical_beam;  ///< if the target has ellipses
   /// The measured or elliptical beam that the cone stands for, which a cookie keeps; nothing where the cone is all.
   const IntensityDistribution* beam() const;
-  double peak_angle = 0;         ///< of a photometric file: radians from the axis to the largest intensity
-  std::optional<Cookie> cookie;  ///< the beam, in place of the cone, where the target chooses one
+  double peak_angle = 0;         ///< photometric file: radians from the axis to the largest intensity
+  std::optional<Cookie> cookie;  ///< the beam, replaces the cone if the target chooses so
   /// Lumens of the light as it is written: its peak times the flux of its cone or cookie. Of a known peak.
   std::optional<double> flux;
   /// Of that over the flux of the data, less 1: of the whole luminaire, or as a spec states it.

@@ -25,7 +25,7 @@ namespace {
 /// Illuminance at which a photometric file's light ends: 1 lx, as for the lights of data/lights.
 constexpr double kEndIlluminance = 1;
 constexpr double kHorizon = 1e-9;  // cosine from the photometric axis that is level within rounding
-constexpr double kAimed = 0.5;     // of it: about the peak of a beam that is aimed there
+constexpr double kAimed = 0.5;     // fraction of the asymmetry about the axis, below which a beam is aimed at its peak
 
 AxialBeam beam_about_best_axis(const IntensityDistribution& distribution, const glm::dvec3& peak) {
   const double cosine = glm::dot(peak, kPhotometricAxis);

@@ -36,7 +36,7 @@ struct FitChoices {
   std::optional<std::optional<ConeProfile>> profile = std::nullopt;
   AxisChoice axis = {};
   double tilt = 0;      ///< radians, by which a luminaire with tilt data is tilted as it is mounted
-  int cookie_size = 0;  ///< texels along an edge of the cookie that the light has in place of its cone; 0 of none
+  int cookie_size = 0;  ///< texels along an edge of the cookie that replaces the light's cone; 0: none
 };
 
 /// A line of equal intensity of an elliptical beam, by its full angles.
@@ -63,11 +63,11 @@ struct LightTarget {
   /// With the luminaire's profile about the axis as its samples, if there is a luminaire. With the circles of equal
   /// solid angle as its angles, if those are an elliptical beam's.
   std::optional<ConeTarget> cone = std::nullopt;
-  std::vector<BeamEllipse> ellipses = {};  ///< of an elliptical beam; from the inner one to the outer
+  std::vector<BeamEllipse> ellipses = {};  ///< elliptical beam, from the inner ellipse to the outer
   std::optional<Luminaire> luminaire = std::nullopt;
-  IntensityPeak luminaire_peak = {};   ///< of its beam, if there is a luminaire
-  glm::dvec3 axis = kPhotometricAxis;  ///< of the light, in the luminaire frame; unit
-  double asymmetry = 0;                ///< of the luminaire's beam about that axis, or of the elliptical beam
+  IntensityPeak luminaire_peak = {};   ///< if there is a luminaire
+  glm::dvec3 axis = kPhotometricAxis;  ///< the light's, in the luminaire frame; unit
+  double asymmetry = 0;                ///< the luminaire's or elliptical beam's, about `axis`
   int cookie_size = 0;                 ///< as chosen
 };
 

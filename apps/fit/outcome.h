@@ -19,9 +19,9 @@ struct Outcome {
   Input input;
   std::string output;  ///< empty for none
   std::optional<LightFit> fit;
-  std::optional<Verdict> verdict;  ///< of the fit
-  std::string light;               ///< text of its file
-  std::string reason;              ///< why there is none
+  std::optional<Verdict> verdict;
+  std::string light;   ///< text of its file
+  std::string reason;  ///< why there is none
   command::ExitStatus status = command::kDone;
 };
 
@@ -33,7 +33,7 @@ void fail(Outcome& outcome);
 struct Summary {
   command::ExitStatus status = command::kDone;
   std::vector<std::string> messages;      ///< for standard error
-  std::vector<command::Table::Cell> row;  ///< of the table with these columns
+  std::vector<command::Table::Cell> row;  ///< a row for `columns`
   std::string report;                     ///< JSON
 };
 

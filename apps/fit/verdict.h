@@ -12,12 +12,12 @@ enum class Grade { good, fair, poor };
 
 /// The largest errors, in magnitude, of a good and of a fair light. A light beyond the latter is poor.
 struct GradeLimits {
-  double range_rms;      ///< of a falloff table, fractions of the attenuation
-  double range_largest;  ///< likewise
+  double range_rms;      ///< falloff table: fraction of the attenuation
+  double range_largest;  ///< falloff table: fraction of the attenuation
   double cone_rms;       ///< fraction of the peak
   double flux;           ///< fraction of the data's
-  double beam_angle;     ///< of the 50 % angle
-  double field_angle;    ///< of the 10 % angle
+  double beam_angle;     ///< fraction of the 50 % angle
+  double field_angle;    ///< fraction of the 10 % angle
   double asymmetry;      ///< rms fraction of the beam that no cone follows
   double peak;           ///< fraction of a luminaire's largest intensity, where it has that
 };
