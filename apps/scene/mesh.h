@@ -30,7 +30,7 @@ struct VertexDetail {
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  std::vector<VertexDetail> details = {};  ///< of each vertex, or none: white, all pictures at Vertex::uv
+  std::vector<VertexDetail> details = {};  ///< one a vertex; empty: white, all pictures at Vertex::uv
 };
 
 /// The detail of one vertex.

@@ -22,7 +22,7 @@ namespace litfog::scene {
 // Limits of a scene, so that no file exhausts the memory or exceeds what floats can draw.
 inline constexpr std::size_t kMaxSceneLights = 100'000;
 inline constexpr std::size_t kMaxTriangles = 20'000'000;
-inline constexpr std::size_t kMaxVertices = 20'000'000;  ///< of all models: 960 MB, below the 2 GiB of a GL buffer
+inline constexpr std::size_t kMaxVertices = 20'000'000;  ///< in all models: 960 MB, below the 2 GiB of a GL buffer
 inline constexpr double kMaxCoordinate = 1e7;            ///< metres
 inline constexpr double kMaxColor = 1e4;                 ///< a framebuffer's half floats end at 65,504
 
@@ -33,7 +33,7 @@ struct Environment {
   glm::vec3 sky_horizon{0.0f};
   float star_brightness = 0.0f;
   glm::vec3 moon_direction{0.0f, 1.0f, 0.0f};  ///< unit, towards the moon
-  glm::vec3 moon_color{0.0f};                  ///< of its light on surfaces; 0 is no moon
+  glm::vec3 moon_color{0.0f};                  ///< light on surfaces; 0 is no moon
 
   friend bool operator==(const Environment&, const Environment&) = default;
 
@@ -47,14 +47,14 @@ struct Instance {
   bool is_beyond_lights = false;  ///< no light reaches it, nor the fog before it: drawn without (render::sort_polygons)
 };
 
-/// Its place as seen from an origin.
+/// An instance's matrix relative to an origin.
 inline glm::dmat4 placed_relative_to(const glm::dvec3& origin, const Instance& instance) {
   glm::dmat4 placed = instance.world_from_model;
   placed[3] -= glm::dvec4(origin, 0);
   return placed;
 }
 
-/// A cookie in place of a light's cone, turned about its axis to the right as seen along it.
+/// A cookie that replaces a light's cone, turned about the light's axis, to the right as seen along the axis.
 struct CookieUse {
   std::size_t cookie;
   double roll = 0;  ///< radians
@@ -82,12 +82,12 @@ struct Scene {
   /// The members of its file that state lights: "lights[2]", "city.window". Each light of a glTF file has one, as if it
   /// stood in a scene file.
   std::vector<std::string> light_members;
-  std::vector<std::size_t> light_entries;  ///< of each light, which of these it comes from
+  std::vector<std::size_t> light_entries;  ///< one a light: its index in light_members
   bool has_city = false;  ///< whether lights and instances are those of a generated city (model/city.h), too
   std::vector<Cookie> cookies;
   std::map<std::size_t, CookieUse> cookie_uses;  ///< by their lights, whose cones are none
   std::map<std::size_t, Mount> mounts;           ///< by their lights, whose directions they give
-  std::map<std::size_t, double> turn_rates;      ///< of lights whose axes turn about +Y: radians a second
+  std::map<std::size_t, double> turn_rates;      ///< by light: radians a second at which its axis turns about +Y
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
   bool is_lit_at_vertices = false;  ///< it shows what tessellation does: the gallery draws it by the path `vertex`
   Atmosphere atmosphere;            ///< its fog is clear air: the visibility is chosen where the scene is drawn

@@ -30,8 +30,7 @@ struct Texels {
   Sampling sampling = {};
 };
 
-/// A texel's level for a fraction, clamped to [0, 1]; and for a linear value, clamped likewise, as sRGB
-/// (IEC 61966-2-1).
+/// A texel's level for a fraction, clamped to [0, 1]; and for a linear value, also clamped, as sRGB (IEC 61966-2-1).
 std::uint8_t level_of(float fraction);
 std::uint8_t srgb_level_of(float linear);
 

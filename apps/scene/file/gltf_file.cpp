@@ -22,7 +22,7 @@ namespace {
 
 using namespace std::string_view_literals;
 
-constexpr std::size_t kMaxBytes = std::size_t{1} << 30;  // of a file, and of all buffers together
+constexpr std::size_t kMaxBytes = std::size_t{1} << 30;  // for a file, and for all buffers together
 
 std::uint32_t little_endian(std::string_view bytes, std::size_t at) {
   std::uint32_t value = 0;
@@ -38,7 +38,7 @@ struct Chunks {
 
 Chunks split(const std::string& path, std::string_view bytes) {
   constexpr std::size_t kChunkHeader = 8;
-  constexpr std::size_t kHeaders = 12 + kChunkHeader;  // of the file and of its first chunk
+  constexpr std::size_t kHeaders = 12 + kChunkHeader;  // the file's and its first chunk's
   const auto expect = [&](bool is_so, std::string_view rule) {
     if (!is_so) throw InputError({.file = path}, rule);
   };

@@ -87,12 +87,12 @@ class GltfFile {
   /// Replaces some of an accessor's numbers by others that it gives (glTF 2.0, 3.6.2.3).
   void replace_sparse(const JsonValue& sparse, GltfNumbers& numbers) const;
 
-  std::string binary_chunk_;  // of a binary file: becomes its first buffer
+  std::string binary_chunk_;  // binary file: its first buffer
   JsonValue root_;
   std::vector<JsonValue> accessors_;
   std::vector<JsonValue> views_;
   std::vector<JsonValue> buffers_;
-  std::vector<std::string> bytes_;                      // of each buffer
+  std::vector<std::string> bytes_;                      // one a buffer
   mutable std::map<std::size_t, std::string> decoded_;  // by their views
   mutable std::size_t decoded_bytes_ = 0;
 };

@@ -22,10 +22,10 @@ namespace litfog::scene {
 struct GltfMaterial {
   std::string name;
   bool is_double_sided;
-  std::set<std::size_t> sets;  ///< of texture coordinates that its textures take
-  GltfCoordinates base;        ///< of the base texture or, where there is none, another's
-  GltfCoordinates normal;      ///< of the normal map or, where there is none, the base's
-  GltfCoordinates emission;    ///< likewise
+  std::set<std::size_t> sets;  ///< sets of texture coordinates that its textures use
+  GltfCoordinates base;        ///< base texture's or, without one, another's
+  GltfCoordinates normal;      ///< normal map's or, without one, the base's
+  GltfCoordinates emission;    ///< emission texture's or, without one, the base's
 };
 
 /// Converts the materials of a glTF file that are used to the demo's; read_gltf_scene documents how.
@@ -64,7 +64,7 @@ class GltfMaterials {
 
   JsonValue empty_;  // an object: glTF's default material, and a material's default model
   std::vector<JsonValue> given_;
-  std::vector<std::optional<GltfMaterial>> used_;  // of those given, then the default
+  std::vector<std::optional<GltfMaterial>> used_;  // one a given material, then the default
   std::vector<Material> materials_;
   GltfPictures pictures_;
   GltfPicture white_;

@@ -20,7 +20,7 @@ namespace litfog::scene {
 namespace {
 
 constexpr std::size_t kMaxTexels = std::size_t{1} << 27;
-constexpr std::size_t kMaxEncodedBytes = std::size_t{256} << 20;  // of a picture's file
+constexpr std::size_t kMaxEncodedBytes = std::size_t{256} << 20;  // a picture's file
 constexpr int kMaxPictureSide = 16'384;
 constexpr double kMaxTransform = 1e6;
 

@@ -60,7 +60,7 @@ float linear_value(std::uint8_t srgb_level);
 /// Which texture coordinates a textureInfo takes: those of a set, transformed (KHR_texture_transform).
 struct GltfCoordinates {
   std::size_t set = 0;
-  glm::mat3x2 transform{1};  ///< of (u, v, 1)
+  glm::mat3x2 transform{1};  ///< applied to (u, v, 1)
 
   bool operator==(const GltfCoordinates&) const = default;
 };

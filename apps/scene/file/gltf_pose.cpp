@@ -69,7 +69,7 @@ void GltfPosing::apply(std::size_t index, Vertex& vertex) const {
   const glm::dmat4 matrix = world_from_mesh(index);
   const glm::dmat3 linear(matrix);
   vertex.position = glm::dvec3(matrix * glm::dvec4(vertex.position, 1));
-  // The cofactors are those of the inverse transpose but for the determinant, which may be 0 between joints.
+  // The cofactors are the inverse transpose times the determinant, which may be 0 between joints.
   const glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
                              glm::cross(linear[0], linear[1]));
   const double side = glm::determinant(linear) < 0 ? -1 : 1;

@@ -15,7 +15,7 @@ namespace litfog::scene {
 
 /// How a node's mesh stands at rest: displaced by its morph targets, then moved by the joints of its skin.
 struct GltfPose {
-  std::vector<double> weights;              ///< of the morph targets; 0 where they are fewer
+  std::vector<double> weights;              ///< one a morph target; missing ones are 0
   std::vector<glm::dmat4> world_from_mesh;  ///< by each joint; empty: no skin, and vertices stay in the mesh's space
 };
 
@@ -43,7 +43,7 @@ class GltfPosing {
     GltfNumbers normals;
     GltfNumbers tangents;
   };
-  struct Influences {  // of four joints on each vertex
+  struct Influences {  // by four joints on each vertex
     GltfNumbers joints;
     GltfNumbers weights;
   };

@@ -31,12 +31,12 @@
 namespace litfog::scene {
 namespace {
 
-constexpr double kBrightestAtKnee = 16;   // of the display's white
+constexpr double kBrightestAtKnee = 16;   // times the display's white
 constexpr double kMaxKnee = 1;            // metres
 constexpr double kLeast = 1.0 / 512;      // half of 1/256 of the display's white
 constexpr double kMinTilt = 1e-3;         // radians from the vertical, which floats tell from it
 constexpr double kMinRoll = 0.026;        // radians, 1.5 degrees: less is not told
-constexpr double kBrightestSun = 65'504;  // of the display's white: a framebuffer's half floats end there
+constexpr double kBrightestSun = 65'504;  // times the display's white: half floats of a framebuffer end there
 constexpr std::string_view kPunctual = "KHR_lights_punctual";
 constexpr std::string_view kBasisu = "KHR_texture_basisu";
 constexpr std::string_view kKnownExtensions[] = {"EXT_mesh_gpu_instancing",
@@ -356,7 +356,7 @@ class GltfReader {
     if (!(glm::length(axis) > 0)) axis = -turn[2];
     if (!(glm::length(axis) > 0)) {
       if (is_spot || is_directional) index.fail("must not be at a node without axes");
-      axis = {0, 0, -1};  // of a light that shines all around
+      axis = {0, 0, -1};  // arbitrary: the light shines all around
     }
     if (is_directional) {
       ++suns_;
@@ -555,14 +555,14 @@ class GltfReader {
   std::vector<JsonValue> lights_;
   std::vector<JsonValue> meshes_;
   std::vector<JsonValue> skins_;
-  std::vector<std::optional<glm::dmat4>> world_from_node_;  // of those met so far
-  std::vector<std::vector<Primitive>> primitives_;          // of each mesh as the file has it, when it is first drawn
-  std::vector<bool> is_read_;                               // of each mesh
-  std::map<std::array<double, 3>, std::size_t> models_;     // of the scene, by their origins
+  std::vector<std::optional<glm::dmat4>> world_from_node_;  // nodes visited so far
+  std::vector<std::vector<Primitive>> primitives_;          // one a mesh, as the file has it, read when first drawn
+  std::vector<bool> is_read_;                               // one a mesh
+  std::map<std::array<double, 3>, std::size_t> models_;     // indices in the scene, by origin
   GltfMaterials materials_;
   Scene scene_;
-  std::optional<glm::dvec3> forward_;  // of the camera, if there is one
-  double roll_ = 0;                    // of that, radians
+  std::optional<glm::dvec3> forward_;  // the camera's, if there is one
+  double roll_ = 0;                    // the camera's, radians
   double brightest_sun_ = 0;
   MeshBudget read_;
   MeshBudget drawn_;

@@ -15,7 +15,7 @@
 namespace litfog::scene {
 namespace {
 
-constexpr std::uint8_t kNone = 64;  // of a character that is no digit of base64
+constexpr std::uint8_t kNone = 64;  // value of a character that is no digit of base64
 
 /// A path from a URI, in which %20 stands for a blank.
 std::string percent_decoded(std::string_view text) {

@@ -38,7 +38,7 @@ namespace {
 
 using files::JsonValue;
 
-constexpr std::size_t kMaxCopies = 20'000;  // of one object or light
+constexpr std::size_t kMaxCopies = 20'000;  // copies of one object or light
 constexpr std::size_t kMaxInstances = 50'000;
 constexpr std::size_t kMaxCookies = 32;                         // OpenGL 3.3 promises 256 layers, six a cookie
 constexpr std::size_t kMaxCookieTexels = std::size_t{1} << 28;  // 1 GiB of floats
@@ -188,7 +188,7 @@ Vehicle read_vehicle(const JsonValue& value) {
                        .roll = angle_or(value, "roll_deg", 180)}};
 }
 
-/// What no JSON begins as is a word in place of a string.
+/// Text that does not begin like JSON is a word that stands for a string.
 JsonValue changed_value(const SceneChange& change) {
   const std::string& value = change.value;
   const bool is_json = value.empty() || value.find_first_of("{[\"-0123456789") == 0 || value == "true" ||

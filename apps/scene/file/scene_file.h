@@ -42,8 +42,8 @@ namespace litfog::scene {
 ///         "mount": {"azimuth_deg": 3,                     in their place: where it points as the vehicle sees it, to
 ///                   "elevation_deg": -6},                 the right, and up in [-90, 90]; "position" is then to the
 ///                                                         right of the vehicle's, up and back
-///         "color": [2, 1.9, 1.6],                         optional: in place of the light's own
-///         "cookie": {"image": "beam.exr",                 optional: in place of the light's cone, a cube map as
+///         "color": [2, 1.9, 1.6],                         optional: instead of the light's own
+///         "cookie": {"image": "beam.exr",                 optional: instead of the light's cone, a cube map as
 ///                    "roll_deg": 20, "spin_deg_per_s": 90},  litfog-fit writes it, or "pattern": "disco" or "beacon";
 ///                                                         turned about the axis, and on with --time
 ///         "turn_deg_per_s": 30,                           optional: the axis turns about the vertical with --time,
@@ -68,8 +68,8 @@ namespace litfog::scene {
 /// objects. Coordinates are within 10,000 km, parts of a colour at most 10,000.
 // clang-format on
 
-/// A value in place of one that a scene file states, or in addition to those. The file is changed before it is read, so
-/// that all its rules hold.
+/// A value that replaces or adds a member of a scene file. The file is changed before it is read, so that all its rules
+/// hold.
 ///
 ///     {"lights[0].carried", "true"}
 ///     {"lights[0].attenuation.quadratic", "0.002"}      of the light, wherever it is written: lights[0].light may be a
@@ -79,10 +79,10 @@ namespace litfog::scene {
 /// Entries of "lights" with copies change with all of them.
 struct SceneChange {
   std::string member;  ///< as error messages name members
-  std::string value;   ///< JSON, or a word in place of a string: ../lights/street-lamp.json
+  std::string value;   ///< JSON, or a word that stands for a string: ../lights/street-lamp.json
 };
 
-/// The place that errors in a change name.
+/// The location that errors in a change name.
 inline constexpr const char* kChangePlace = "--set";
 
 /// The member of the file that a change means: an entry's own, or one of the light in it, whose name comes after
@@ -101,7 +101,7 @@ struct SceneParts {
 /// Reads a scene file, or a glTF file (gltf_scene.h) by its ending; what is left out of that is said in one line on
 /// standard error. Throws InputError, of which the file is kChangePlace where a change is wrong.
 ///
-/// city_lights  how many lights its city has, in place of its own number; without effect where the scene has no city
+/// city_lights  number of lights in its city, replacing the file's number; without effect where the scene has no city
 /// changes      in the order given; of a glTF file only those of its lights' attenuation, threshold, cone, colour and
 ///              density scale
 /// kept         parts of an earlier reading, copied where the scene has them, then replaced by this one's; null: none

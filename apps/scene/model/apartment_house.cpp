@@ -19,7 +19,7 @@ constexpr float kFrameLift_m = 0.03f;  // before the wall
 constexpr float kPaneLift_m = 0.07f;
 constexpr float kBar_m = 0.08f;      // between the halves of a window
 constexpr float kLitShops = 0.7f;    // fractions
-constexpr float kDimWindows = 0.6f;  // of the lit ones
+constexpr float kDimWindows = 0.6f;  // fraction of the lit windows
 
 /// One of the four walls, as it is seen from outside.
 struct Facade {

@@ -16,17 +16,17 @@ inline constexpr std::size_t kMaxCityLights = 100'000;
 /// cars, houses with shops and bright windows, and an airfield along -Z to the east of it.
 ///
 /// The houses, streets and cars are the same whatever the number of lights. Lights are the first of one list: lamps,
-/// shops, cars and the airfield from the origin outwards, some 3,700, then windows, likewise.
+/// shops, cars and the airfield from the origin outwards, some 3,700, then windows in the same order.
 struct City {
   std::size_t lights = 1000;  ///< [1, kMaxCityLights]
   std::uint32_t seed = 1;
   Light street_lamp;  ///< shines down
-  Light headlight;    ///< of cars, as the tail lamp
+  Light headlight;    ///< cars', like the tail lamp
   Light tail_lamp;
   Light shop_window;  ///< shines out of a house, as the window
   Light window;
   Light runway_edge;     ///< shines along the runway
-  Light approach_light;  ///< likewise, before its threshold
+  Light approach_light;  ///< before the runway's threshold
 };
 
 /// One of a city's kinds of lights.

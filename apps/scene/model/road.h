@@ -40,7 +40,7 @@ struct RoadMarkings {
   float dash_m = 3.0f;
   float gap_m = 6.0f;  ///< 0: a solid centre line
   float line_m = 0.12f;
-  float lift_m = 0.012f;  ///< of the paint over the asphalt
+  float lift_m = 0.012f;  ///< height of the paint over the asphalt
   Carriageway carriageway;
 
   void describe(ParameterList& list) {
@@ -56,7 +56,7 @@ Model make_road_markings(const RoadMarkings& markings);
 /// The bars of a pedestrian crossing over a level road along Z, from x = -width_m / 2 to width_m / 2.
 struct ZebraCrossing {
   float width_m = 7.0f;
-  float length_m = 4.0f;  ///< of the bars, along the road
+  float length_m = 4.0f;  ///< length of the bars, along the road
   float bar_m = 0.5f;     ///< width of a bar and of the gap to the next
   float lift_m = 0.012f;
 

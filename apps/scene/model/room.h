@@ -13,7 +13,7 @@ struct Room {
   float width_m = 7.0f;
   float depth_m = 11.0f;
   float wall_m = 2.6f;  ///< height of the walls, at which the vault starts
-  float rise_m = 1.7f;  ///< of the vault over the walls
+  float rise_m = 1.7f;  ///< height of the vault over the walls
   int bays = 4;         ///< between the ribs
 
   void describe(ParameterList& list) {

@@ -12,7 +12,7 @@ struct Runway {
   float length_m = 1500.0f;
   int number = 27;          ///< designator of the end at the origin; the other end differs by 18
   float shoulder_m = 7.5f;  ///< asphalt beside the runway
-  float lift_m = 0.03f;     ///< of the paint over the surface
+  float lift_m = 0.03f;     ///< height of the paint over the surface
 
   void describe(ParameterList& list) {
     list.add("length_m", length_m, 900, 4000);

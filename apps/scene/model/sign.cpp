@@ -113,7 +113,7 @@ Model make_chevron_sign(const ChevronSign& chevron) {
   const glm::mat4 at = add_sign(
       model, sign, {rectangle(width, height), rectangle(0.97f * width, 0.96f * height), "sign_white", "sign_white"});
   Mesh& red = part(model, "sign_red");
-  const float reach = 0.42f * height;  // of the point before the ends
+  const float reach = 0.42f * height;  // from the ends to the point
   const float hand = chevron.left != 0 ? -1.0f : 1.0f;
   for (int i = 0; i < 3; ++i) {
     const float x = (float(i) - 1.0f) * 0.29f * width - 0.22f * reach;

@@ -10,7 +10,7 @@ namespace litfog::scene {
 
 struct Sign {
   float size_m = 0.75f;   ///< diameter, side or width of the plate
-  float height_m = 2.2f;  ///< of the plate's middle
+  float height_m = 2.2f;  ///< height of the plate's middle
 
   void describe(ParameterList& list) {
     list.add("size_m", size_m, 0.2, 3);
