@@ -15,7 +15,7 @@ namespace litfog::window {
 struct DrawingCommand {
   std::string scene;  ///< as litfog-demo takes it: a bundled scene's name or a file
   drawing::DrawingOptions options = {};
-  std::optional<scene::Camera> camera = {};  ///< in place of the scene's
+  std::optional<scene::Camera> camera = {};  ///< replaces the scene's
   std::vector<scene::SceneChange> changes = {};
 };
 

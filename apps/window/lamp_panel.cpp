@@ -116,8 +116,8 @@ void draw_controls(Session& session, std::size_t index) {
 struct Axes {
   ImVec2 low;   ///< the bottom left corner
   ImVec2 size;  ///< pixels
-  double end;   ///< of the range, metres
-  double top;   ///< of the values
+  double end;   ///< largest range, metres
+  double top;   ///< largest value
 
   ImVec2 at(double range, double value) const {
     return {low.x + size.x * float(range / end), low.y - size.y * float(value / top)};

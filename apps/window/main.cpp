@@ -103,7 +103,7 @@ class App {
   DrawingPace pace_;
   std::optional<Delivery> delivery_;
   std::optional<PictureOrder> ordered_;
-  std::optional<std::size_t> hovered_;  // of the list of lamps
+  std::optional<std::size_t> hovered_;  // index in the list of lamps
   double changed_at_ = 0;               // milliseconds
   bool wants_picture_ = false;          // to be saved when it is finished
   std::string words_;                   // what has last been done, or could not be

@@ -136,7 +136,7 @@ void PictureMaker::work(scene::Scene scene) try {
     } catch (const render::Interrupted&) {
       lock.lock();
       continue;
-    } catch (const gl::Unsupported& missing) {  // of these settings: others may do
+    } catch (const gl::Unsupported& missing) {  // these settings lack something; others may work
       delivery.pictures.clear();
       delivery.error = missing.what();
       renderers.clear();

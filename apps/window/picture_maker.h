@@ -23,9 +23,9 @@ namespace litfog::window {
 
 /// Pictures of one view to draw: one for each of a list of settings.
 struct PictureOrder {
-  std::vector<drawing::DrawingOptions> settings;  ///< of which sizes and times do not count
+  std::vector<drawing::DrawingOptions> settings;  ///< sizes and times are ignored
   scene::Camera camera;
-  std::shared_ptr<const std::vector<PlacedLight>> lights;  ///< in place of the scene's, one each; never null
+  std::shared_ptr<const std::vector<PlacedLight>> lights;  ///< replace the scene's, one each; never null
   int width = 0;                                           ///< pixels
   int height = 0;
   bool is_sketch = false;  ///< soon replaced: an automatic exposure stays as it was
@@ -36,10 +36,10 @@ struct PictureOrder {
 /// A picture as litfog-demo draws it.
 struct DrawnPicture {
   render::Picture shown;             ///< what a display shows, for drawing::write_picture
-  std::vector<std::uint8_t> pixels;  ///< of that: drawing::shown_pixels
+  std::vector<std::uint8_t> pixels;  ///< drawing::shown_pixels of `shown`
   render::Display display;           ///< an automatic exposure chosen
   render::FrameCounts counts;
-  double milliseconds = 0;  ///< of drawing, without the change of settings before it and the reading after it
+  double milliseconds = 0;  ///< drawing alone, without changing settings before and reading after
 };
 
 /// What came of an order.
@@ -74,7 +74,7 @@ class PictureMaker {
   bool is_unwanted(const PictureOrder& begun) const;
 
   std::function<void()> deliver_;
-  mutable std::mutex mutex_;  // of all below but the thread
+  mutable std::mutex mutex_;  // guards everything below except the thread
   std::condition_variable wake_;
   std::optional<PictureOrder> next_;
   std::optional<Delivery> delivery_;

@@ -17,9 +17,9 @@
 namespace litfog::window {
 namespace {
 
-constexpr double kPickReach = 0.04;        // of the height
+constexpr double kPickReach = 0.04;        // fraction of the height
 constexpr double kTurnPerHeight = 1.5;     // radians for a drag over the picture's height
-constexpr double kZoomPerNotch = 0.85;     // of the target's distance
+constexpr double kZoomPerNotch = 0.85;     // factor of the target's distance
 constexpr double kTargetsPerSecond = 0.5;  // flying speed in distances to the target
 constexpr double kMinSpeed = 1;            // metres a second
 constexpr float kWipeReach = 7;            // pixels

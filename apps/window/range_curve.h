@@ -19,7 +19,7 @@ struct RangeCurve {
 
   FogIntensity solved;          ///< the peak's height and range, and the extent
   double knee;                  ///< metres; 0 where there is none
-  double end;                   ///< of the plot, metres: > 0, finite
+  double end;                   ///< end of the plot, metres: > 0, finite
   std::vector<Sample> samples;  ///< at ranges end * i / (size - 1)
 };
 

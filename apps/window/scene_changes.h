@@ -12,16 +12,16 @@
 namespace litfog::window {
 
 /// What makes a light of the one that a member of a scene's file states (Scene::light_members). Reading the file with
-/// these changes gives the light back, its cone's angles but for their last bits.
+/// these changes gives the light back, except for the last bits of its cone's angles.
 ///
-/// from, to  the same light but for attenuation, threshold, cone, colour and density scale
+/// from, to  the same light except for attenuation, threshold, cone, colour and density scale
 std::vector<scene::SceneChange> changes_of(const std::string& member, const Light& from, const Light& to);
 
 /// The text of a scene file with changes, for a place of its own: light files of which members are changed are written
 /// out in it, and all other files are named as seen from there.
 ///
 /// file     of the scene: no glTF file
-/// camera   in place of the file's
+/// camera   replaces the file's
 /// place    the path at which the text is going to be
 /// throws   InputError where the scene's file, or a changed light's, cannot be read any more
 std::string changed_scene(const std::string& file, const std::optional<scene::Camera>& camera,

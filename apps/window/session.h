@@ -35,7 +35,7 @@ class Session {
 
   scene::Camera camera;
   CameraMotion motion = CameraMotion::orbit;
-  std::optional<std::size_t> picked;  ///< of the lights
+  std::optional<std::size_t> picked;  ///< index of a light
 
   drawing::DrawingOptions& edited_settings() { return settings[edited]; }
   void split(bool on);
