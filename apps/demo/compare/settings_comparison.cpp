@@ -77,7 +77,7 @@ void take_used(Unused& unused, const drawing::DrawingOptions& drawing, const IsO
 
 Setting parse_setting(const Setting& base, const std::string& text, Unused& unused) {
   Setting setting = base;
-  setting.words = text;
+  setting.text = text;
   CLI::App app;
   add_options(app, setting);
   try {
@@ -113,17 +113,17 @@ std::string with_option_hint(const std::string& text, const std::string& error) 
   return error;
 }
 
-/// Reads the scene of a setting. What is wrong with a view or a member is told with the setting's words.
+/// Reads the scene of a setting. What is wrong with a view or a member is told with the setting's text.
 scene::Scene read_scene_of(const Setting& setting, scene::SceneParts& kept) {
   try {
     return drawing::read_scene(setting.scene, &kept);
   } catch (const CLI::ValidationError& error) {
-    throw CLI::ValidationError(fmt::format("--with \"{}\": {}", setting.words, error.what()));
+    throw CLI::ValidationError(fmt::format("--with \"{}\": {}", setting.text, error.what()));
   } catch (const InputError& error) {
     const bool is_of_member = error.location().file.starts_with(scene::kChangePlace);
-    if (!is_of_member || setting.words.find('=') == std::string::npos) throw;
-    throw InputError({.file = fmt::format("--with \"{}\"", setting.words)},
-                     with_option_hint(setting.words, error.what()));
+    if (!is_of_member || setting.text.find('=') == std::string::npos) throw;
+    throw InputError({.file = fmt::format("--with \"{}\"", setting.text)},
+                     with_option_hint(setting.text, error.what()));
   }
 }
 
@@ -191,12 +191,12 @@ std::vector<PairResult> compare_pairs(const std::vector<render::Picture>& pictur
 /// pairs  those of the first setting first
 void report_results(const std::vector<SettingResult>& results, const std::vector<PairResult>& pairs) {
   const std::size_t widest =
-      std::ranges::max(results, {}, [](const auto& each) { return each.words.size(); }).words.size();
+      std::ranges::max(results, {}, [](const auto& each) { return each.text.size(); }).text.size();
   for (std::size_t i = 0; i < results.size(); ++i) {
     const std::string apart =
         i == 0 ? ""
                : fmt::format("; from 1: largest {:.3g}, mean {:.3g} of 1/255", pairs[i - 1].largest, pairs[i - 1].mean);
-    command::report(fmt::format("{}: {:<{}} {:>8} ms{}\n", i + 1, results[i].words, widest,
+    command::report(fmt::format("{}: {:<{}} {:>8} ms{}\n", i + 1, results[i].text, widest,
                                 measure::milliseconds_text(results[i].milliseconds), apart));
   }
 }
@@ -251,7 +251,7 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
   std::vector<SettingResult> results;
   for (std::size_t i = 0; i < settings.size(); ++i) {
     pictures.push_back(render::displayed(renderers[i].renderer->read(), renderers[i].display));
-    results.push_back({.words = settings[i].words,
+    results.push_back({.text = settings[i].text,
                        .milliseconds = times[i].median(),
                        .spread = times[i].spread(),
                        .png = drawing::png_text(pictures[i])});

@@ -9,21 +9,20 @@
 
 namespace litfog::demo {
 
-inline constexpr std::size_t kMaxSettings = 8;  ///< of one comparison: each pair has a heat map in its page
+inline constexpr std::size_t kMaxSettings = 8;  ///< in one comparison, whose page has a heat map for each pair
 
 /// One way to draw a picture.
 struct Setting {
-  std::string words;  ///< in which it was given
+  std::string text;  ///< as given
   drawing::SceneOptions scene;
   drawing::DrawingOptions drawing;
 };
 
-/// The settings of a comparison: the base, which a command line states, with what each text says in place of its own.
-/// One text is compared with the base itself.
+/// The settings of a comparison: those of the command line, each time with the changes that a text states. One text is
+/// compared with the base itself.
 ///
 ///     visibility=50 path=vertex         options of a single picture, with or without their dashes
-///     no-skip                           flags, likewise
-///     lights[0].threshold=0.1           other members: as by --set
+///     no-skip flags, in the same way lights[0].threshold=0.1 other members: as by --set
 ///     other.json                        another scene
 ///
 /// throws  CLI::ValidationError that names --with, its text and what is wrong, or an option of the command line that

@@ -32,7 +32,7 @@ std::string row(const std::vector<SettingResult>& settings, std::size_t i, const
   return fmt::format(
       "<tr><th scope=\"row\">{}</th><td class=\"words\">{}</td><td><span title=\"10th to 90th percentile: {} "
       "ms\">{}</span></td><td>{:.2f}</td><td>{}</td><td>{}</td></tr>\n",
-      i + 1, html_text(setting.words), measure::milliseconds_text(setting.spread),
+      i + 1, html_text(setting.text), measure::milliseconds_text(setting.spread),
       measure::milliseconds_text(setting.milliseconds), setting.milliseconds / settings.front().milliseconds,
       from_first ? error_text(from_first->largest) : "", from_first ? error_text(from_first->mean) : "");
 }
@@ -49,8 +49,8 @@ std::string settings_page(const SettingsFacts& facts, const std::vector<SettingR
   for (std::size_t i = 0; i < settings.size(); ++i) {
     const SettingResult& setting = settings[i];
     rows += row(settings, i, i == 0 ? nullptr : &pairs[i - 1]);
-    choices += fmt::format("<option value=\"{}\">{}: {}</option>", i, i + 1, html_text(setting.words));
-    names += (i == 0 ? "" : ", ") + script_text(setting.words);
+    choices += fmt::format("<option value=\"{}\">{}: {}</option>", i, i + 1, html_text(setting.text));
+    names += (i == 0 ? "" : ", ") + script_text(setting.text);
     pictures += (i == 0 ? "\n" : ",\n") + picture_text(setting.png);
   }
   for (const PairResult& pair : pairs) {

@@ -9,9 +9,9 @@ namespace litfog::demo {
 
 /// A scene drawn in one of the settings that a page compares.
 struct SettingResult {
-  std::string words;    ///< as given: "visibility=50 path=vertex"
+  std::string text;     ///< as given: "visibility=50 path=vertex"
   double milliseconds;  ///< a frame, the median
-  double spread;        ///< of the frames, from the 10th to the 90th percentile
+  double spread;        ///< of frame times, from the 10th to the 90th percentile
   std::string png;      ///< the picture as a file
 };
 

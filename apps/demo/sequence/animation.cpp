@@ -57,7 +57,7 @@ std::vector<Chunk> chunks_of(std::string_view png) {
 
 std::string animated_png(const std::vector<std::string>& frames, int frames_per_second) {
   std::string file(kSignature);
-  std::uint32_t number = 0;  // of fcTL and fdAT chunks together
+  std::uint32_t number = 0;  // fcTL and fdAT chunks so far
   for (const std::string& frame : frames) {
     const bool is_first = &frame == &frames.front();
     const std::vector<Chunk> chunks = chunks_of(frame);

@@ -13,11 +13,11 @@
 namespace litfog::demo {
 namespace {
 
-/// Without the digits that rounding leaves between decimal ends: 0.3 and 0 in place of 0.30000000000000004 and 3e-17.
+/// Removes digits that are rounding between decimal ends: 0.3 and 0 instead of 0.30000000000000004 and 3e-17.
 ///
 /// size  of the larger end
 double without_rounding_digits(double number, double size) {
-  constexpr double kMaxExactPower = 1e22;                                  // of ten
+  constexpr double kMaxExactPower = 1e22;                                  // power of ten
   const double parts = std::pow(10.0, 14 - std::floor(std::log10(size)));  // a unit: 15 digits of the larger end
   if (!(parts >= 1 && parts <= kMaxExactPower)) return number;
   return std::round(number * parts) / parts + 0.0;  // no -0

@@ -10,7 +10,7 @@
 
 namespace litfog::demo {
 
-inline constexpr int kMaxFrames = 1000;  ///< of a sequence: its animation is put together in memory
+inline constexpr int kMaxFrames = 1000;  ///< in a sequence, whose animation is assembled in memory
 
 /// How a course goes from one end to the other.
 enum class Steps {
@@ -23,7 +23,7 @@ enum class Steps {
 ///     400                  always the same
 ///     400,200,50           one frame each
 ///     400..50              from one to the other, both included
-///     400..50:24           likewise, and in 24 frames
+///     400..50:24           the same in 24 frames
 template <typename Value>
 struct Course {
   std::vector<Value> values;  ///< not empty; of a range its two ends

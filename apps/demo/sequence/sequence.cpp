@@ -208,12 +208,12 @@ double Sequence::visibility(int frame) const {
   return options_.visibility ? options_.visibility->at(frame, frames_) : scene::suggested_visibility(scene_);
 }
 
-std::string Sequence::words(int frame) const {
-  std::string words;
+std::string Sequence::text(int frame) const {
+  std::string text;
   const auto add = [&](const std::string& name, const auto& course, const char* unit) {
     if (!changes(course)) return;
-    words +=
-        fmt::format("{}{} {}{}", words.empty() ? "" : ", ", name, shown_rounded(course->at(frame, frames_), 4), unit);
+    text +=
+        fmt::format("{}{} {}{}", text.empty() ? "" : ", ", name, shown_rounded(course->at(frame, frames_), 4), unit);
   };
   add("visibility", options_.visibility, " m");
   add("time", options_.seconds, " s");
@@ -221,10 +221,10 @@ std::string Sequence::words(int frame) const {
   for (const MemberCourse& member : options_.members) add(member.change.member, member.numbers, "");
   if (path_ || changes(options_.camera) || changes(options_.target)) {
     const glm::dvec3& eye = scene_.camera.position;
-    words += fmt::format("{}camera {},{},{}", words.empty() ? "" : ", ", shown_rounded(eye.x, 4),
-                         shown_rounded(eye.y, 4), shown_rounded(eye.z, 4));
+    text += fmt::format("{}camera {},{},{}", text.empty() ? "" : ", ", shown_rounded(eye.x, 4), shown_rounded(eye.y, 4),
+                        shown_rounded(eye.z, 4));
   }
-  return words;
+  return text;
 }
 
 void Sequence::show(int frame) {
@@ -284,7 +284,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const drawing:
     renderer.draw();
     const std::string& file = frame_files[std::size_t(frame)];
     pictures.write(file, render::displayed(renderer.read(), display));
-    command::report(fmt::format("{}: {}, drawn in {:.2f} s\n", pictures.path_of(file), sequence.words(frame),
+    command::report(fmt::format("{}: {}, drawn in {:.2f} s\n", pictures.path_of(file), sequence.text(frame),
                                 frame_timer.seconds()));
   }
   pictures.finish();

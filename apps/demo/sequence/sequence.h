@@ -15,7 +15,7 @@ namespace litfog::demo {
 /// A member of the scene file in each frame.
 struct MemberCourse {
   scene::SceneChange change;
-  std::optional<Course<double>> numbers;  ///< in place of the change's value
+  std::optional<Course<double>> numbers;  ///< replaces the change's value
 };
 
 /// What changes from frame to frame.
@@ -27,7 +27,7 @@ struct SequenceOptions {
   std::optional<Course<glm::dvec3>> camera = {};  ///< default: the scene's, like the three that follow
   std::optional<Course<glm::dvec3>> target = {};
   std::optional<Course<double>> field_of_view_deg = {};
-  std::string camera_path = {};  ///< a file, in place of these three
+  std::string camera_path = {};  ///< a file, replaces these three
   int frames = 0;                ///< 0: as many as a course asks for, else kDefaultFrames
   int frames_per_second = 12;
   std::string film = {};  ///< a file, beside the folder; empty: none
@@ -47,13 +47,13 @@ class Sequence {
 
   const SequenceOptions& options() const { return options_; }
   int frames() const { return frames_; }
-  const scene::Scene& scene() const { return scene_; }  ///< of the frame last shown; keeps its address
+  const scene::Scene& scene() const { return scene_; }  ///< as in the frame last shown; keeps its address
   double visibility(int frame) const;                   ///< metres
-  std::string words(int frame) const;                   ///< all that changes: "visibility 400 m, time 0.5 s"
+  std::string text(int frame) const;                    ///< everything that changes: "visibility 400 m, time 0.5 s"
   bool moves_camera() const { return moves_camera_; }
   bool moves_lights() const { return moves_lights_; }
-  bool changes_members() const { return changes_members_; }  ///< of the scene's file
-  bool changes_objects() const { return changes_objects_; }  ///< of the scene, or its generated city
+  bool changes_members() const { return changes_members_; }                      ///< members of the scene's file
+  bool changes_objects() const { return changes_objects_; }                      ///< the scene's, or its generated city
   bool changes_environment_light() const { return changes_environment_light_; }  ///< the ambient light or the moon
 
   /// Makes the scene that of a frame. Lights that the eye's vehicle carries move along with the camera, from where they
@@ -70,7 +70,7 @@ class Sequence {
   int frames_;
   scene::SceneParts parts_;
   scene::Scene scene_;
-  scene::Camera own_camera_;    // of the file, in the frame last shown
+  scene::Camera own_camera_;    // the file's, in the frame last shown
   scene::Camera first_camera_;  // that of frame 0
   std::optional<CameraPath> path_;
   bool changes_members_ = false;
