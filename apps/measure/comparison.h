@@ -13,7 +13,7 @@ namespace litfog::measure {
 struct Comparison {
   render::Picture drawn;  ///< with the lamps' points
   render::Picture reference;
-  PictureError error;  ///< of the frame drawn without the lamps' points, as the renderer's exposure shows it
+  PictureError error;  ///< error of the frame without the lamps' points, at the renderer's exposure
 };
 
 /// Compares the frame that a renderer has drawn last with its reference.

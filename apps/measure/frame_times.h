@@ -13,7 +13,7 @@ namespace litfog::measure {
 /// Wall times of a renderer's frames, each drawn to its end.
 struct FrameTimes {
   std::vector<double> milliseconds = {};  ///< ascending, not empty
-  render::FrameCounts counts = {};        ///< of each frame
+  render::FrameCounts counts = {};        ///< each frame's
 
   double median() const;
   double spread() const;  ///< from the 10th to the 90th percentile

@@ -11,8 +11,8 @@ namespace litfog::measure {
 namespace {
 
 constexpr double kUnit = 0x1p-22;             // some units in the last place of a float near 1
-constexpr double kHorizonRounding = 0x1p-20;  // of a direction's height, which is interpolated over the picture
-constexpr double kMaxRounding = 5e-4;         // of an extent, some kilometres from the origin
+constexpr double kHorizonRounding = 0x1p-20;  // rounding of a direction's height, interpolated over the picture
+constexpr double kMaxRounding = 5e-4;         // fraction of an extent, some kilometres from the origin
 
 bool is_seen(const glm::dvec3& jump) {
   constexpr double kLeast = 1e-4;  // a third of a step on the display where it is darkest

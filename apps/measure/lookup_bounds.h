@@ -32,7 +32,7 @@ class LookupBounds {
 
   const PathModel& model_;
   render::ConeMaps cone_maps_;
-  double texel_;  // of a map's coordinates, which run from -1 to 1
+  double texel_;  // size in a map's coordinates, which run from -1 to 1
 };
 
 }  // namespace litfog::measure

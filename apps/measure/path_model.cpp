@@ -156,7 +156,7 @@ glm::dvec3 PathModel::airlight(const glm::dvec3& direction, double length) const
   if (settings_.fog_lighting != render::FogLighting::airlight) return sum;
   const EyeRay ray{.origin = eye_, .direction = direction, .length = length};
   struct Candidate {
-    double most;  // of white
+    double most;  // upper bound, as a fraction of white
     const ReferenceLight* light;
   };
   std::vector<Candidate> candidates;

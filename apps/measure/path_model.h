@@ -45,7 +45,7 @@ struct Veil {
 };
 
 /// The formulas of a renderer's lighting path in double, written as the papers have them: no maps, no tessellation, no
-/// skipping. Every light is evaluated at every sample, but for airlight that is proved to be negligible.
+/// skipping. Every light is evaluated at every sample, except airlight that is proved to be negligible.
 class PathModel {
  public:
   /// renderer  has to outlive this
@@ -58,7 +58,7 @@ class PathModel {
   /// sample  not of the sky
   SurfacePoint surface_point(const render::GeometrySample& sample) const;
 
-  /// What a surface sends to the eye, before fog: without_lamps + sum over the lights, but for those in whose shadow it
+  /// What a surface sends to the eye, before fog: without_lamps + sum over the lights, except those in whose shadow it
   /// is, of color * emitted * falloff * reflectance.
   glm::dvec3 surface_color(const SurfacePoint& point) const;
   /// Its emissive, ambient and directional light.
@@ -94,7 +94,7 @@ class PathModel {
   const Atmosphere& atmosphere() const { return atmosphere_; }
   /// Whether a light lights the fog. Only then is it visible in `veil`.
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
-  /// The airlight of all lights along a ray from the eye, by the definition's integral, but for the shafts of those
+  /// The airlight of all lights along a ray from the eye, by the definition's integral, except for the shafts of those
   /// that cut them; 0 where the renderer lights the fog otherwise. What it leaves out adds up to less than
   /// kAirlightBudget of what the renderer's exposure shows as white; what lights' ends cut off, to less than kCutOff of
   /// it.

@@ -18,7 +18,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Linear light, exposed, in steps of PictureError.
 double steps(float linear) {
-  constexpr double kSlopeAt1 = 1.055 / 2.4;  // of sRGB (IEC 61966-2-1)
+  constexpr double kSlopeAt1 = 1.055 / 2.4;  // slope of sRGB (IEC 61966-2-1)
   if (linear <= 1) return 255 * double(scene::srgb_from_linear(linear));
   return 255 * (1 + kSlopeAt1 * std::log(double(linear)));
 }

@@ -20,9 +20,9 @@ struct PictureError {
   int width = 0;
   int height = 0;
   std::vector<float> pixels = {};  ///< the largest of the three channels' errors; -1 where the pixel is excluded
-  /// Infinity where any pixel of either picture, excluded ones too, is infinite or not a number.
+  /// Infinite, like the mean, where any pixel of either picture, even an excluded one, is infinite or NaN.
   double largest = 0;
-  double mean = 0;           ///< likewise
+  double mean = 0;
   double beyond_maps = 0;    ///< the largest beyond what the path's light maps leave open; `largest` without maps
   std::size_t excluded = 0;  ///< pixels at a jump of the model (ReferencePicture::is_at_jump)
 };

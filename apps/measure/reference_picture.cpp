@@ -51,7 +51,7 @@ struct Shade {
   bool is_at_jump = false;
 };
 
-using Samples = std::span<const render::GeometrySample>;  // of a pixel
+using Samples = std::span<const render::GeometrySample>;  // one pixel's
 
 class ReferenceShading {
  public:
@@ -84,7 +84,7 @@ class ReferenceShading {
         const render::GeometrySample& pane = panes[i][k];
         if (pane.material < 0 || pane.depth < samples[k].depth) continue;
         pane_seen[k] = double(pane.opacity);
-        for (std::size_t j = 0; j < panes.size(); ++j) {  // of two that are equally near the one drawn last is in front
+        for (std::size_t j = 0; j < panes.size(); ++j) {  // at equal depth the pane drawn last is in front
           const render::GeometrySample& other = panes[j][k];
           const bool is_before = other.depth > pane.depth || (other.depth == pane.depth && j > i);
           if (other.material >= 0 && is_before) pane_seen[k] *= 1 - double(other.opacity);
@@ -162,7 +162,7 @@ class ReferenceShading {
 
   PathModel model_;
   JumpWatch jumps_;
-  std::optional<LookupBounds> bounds_;  // of paths with light maps
+  std::optional<LookupBounds> bounds_;  // for paths with light maps
   glm::dvec3 eye_;
   double fog_above_eye_;  // metres
   PixelRays rays_;

@@ -14,8 +14,8 @@
 namespace litfog::measure {
 namespace {
 
-constexpr double kRounding = 1e-6;    // of positions in floats, relative
-constexpr double kOwnSurface = 1e-4;  // of the range: what is met that near to a position is the triangle it is on
+constexpr double kRounding = 1e-6;    // relative rounding of positions in floats
+constexpr double kOwnSurface = 1e-4;  // fraction of the range within which a hit is the position's own triangle
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
 /// The distance from a lamp to a plane in a direction; nothing if the plane is behind, or more than twice as far as the
@@ -147,7 +147,7 @@ std::vector<std::pair<double, double>> ReferenceShadows::lit_stretches(const Ref
   const double last = std::asinh((high - approach) / width);
   const auto place = [&](double t) { return std::clamp(approach + width * std::sinh(t), low, high); };
   const auto is_lit = [&](double s) { return !is_dark(light, ray.origin + s * ray.direction); };
-  constexpr double kFromEnds = 1e-6;  // of a step: the ends may lie on a surface
+  constexpr double kFromEnds = 1e-6;  // fraction of a step, because the ends may lie on a surface
   double before = first + kFromEnds * (last - first) / kStretchSteps;
   bool was_lit = is_lit(place(before));
   double start = low;

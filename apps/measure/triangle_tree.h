@@ -47,7 +47,7 @@ class TriangleTree {
   struct Crossing;
   struct Node {
     glm::dvec3 low, high;
-    std::uint32_t first;  // of its triangles; of an inner node, the second child: the first one follows the node
+    std::uint32_t first;  // leaf: first triangle; inner node: second child, the first one follows the node
     std::uint32_t count;  // 0: an inner node
   };
 
