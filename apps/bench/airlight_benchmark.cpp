@@ -24,7 +24,7 @@ namespace {
 using test::AirlightCase;
 
 struct Scale {
-  std::size_t rays;        ///< of a mix
+  std::size_t rays;        ///< a mix
   std::size_t references;  ///< timed: the first of them
   StopwatchSettings stopwatch;
 };

@@ -109,7 +109,7 @@ class Ray {
   double length_;
   double approach_;     // metres from the eye to the closest approach
   double offset_;       // metres from there to the lamp
-  double axis_offset_;  // of that, along the cone's axis
+  double axis_offset_;  // the part of offset_ along the cone's axis
   double axis_slope_;   // cosine between ray and axis
 };
 

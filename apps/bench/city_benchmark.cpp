@@ -34,9 +34,10 @@ namespace {
 
 constexpr int kWidth = 320;
 constexpr int kHeight = 180;
-constexpr double kBudget = 0.5 / 255;  // of a display's white
+constexpr double kBudget = 0.5 / 255;  // fraction of a display's white
 constexpr double kFarthest = 4000;     // metres: beyond the city
-constexpr double kMaxLostSteps = 2;    // of the display: half is left out here, and either frame leaves out up to 3/4
+constexpr double kMaxLostSteps =
+    2;  // steps of the display: half is left out here, and either frame leaves out up to 3/4
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Scale {
@@ -119,8 +120,8 @@ struct Trial {
   std::size_t lights;
   std::vector<double> matter = {};  ///< a value a frame, as in those that follow
   std::vector<double> entries = {};
-  std::vector<double> milliseconds = {};       ///< of processor time
-  std::vector<double> wall_milliseconds = {};  ///< of frames
+  std::vector<double> milliseconds = {};       ///< processor time
+  std::vector<double> wall_milliseconds = {};  ///< wall time of frames
   std::optional<double> ratio_to_those = {};
   std::optional<double> max_error = {};  ///< steps of the display
 
@@ -161,7 +162,7 @@ class KindedLights {
 
  private:
   std::span<const PlacedLight> lights_;
-  std::vector<Light> firsts_;  // of each kind
+  std::vector<Light> firsts_;  // the first light of each kind
   std::vector<std::size_t> kinds_;
 };
 

@@ -19,7 +19,7 @@ namespace litfog::bench {
 /// lights         in the scene
 /// lights_that_matter  clusters: in at least one cluster, median over the frames; frame: those that the picture
 ///                needs (visible_lights.h); frame-airlight: those whose airlight fog does not hide
-/// entries        of the light list, likewise
+/// entries        in the light list, median over the frames
 /// ms             processor time, median over the frames: clusters: of one thread; frames: of the process, a
 ///                software rasteriser's threads included
 /// ms_spread      from the 10th to the 90th percentile

@@ -37,7 +37,7 @@ constexpr double kStatedDigits = 9;
 /// What tables are drawn from.
 struct Family {
   const char* name;
-  double least_range, most_range;  ///< of the last sample
+  double least_range, most_range;  ///< limits of the last sample's range
   double noise;                    ///< standard deviation of ln attenuation
   double outliers;                 ///< fraction of the samples
   bool is_clamped;
@@ -57,7 +57,7 @@ Samples draw_table(const Family& family, test::Random& random) {
   for (int i = 1; i <= 20; ++i) {
     const double range = last * i / 20;
     double log_error = 0;
-    for (int k = 0; k < 12; ++k) log_error += family.noise * random.uniform(-0.5, 0.5);  // of variance 1/12 each
+    for (int k = 0; k < 12; ++k) log_error += family.noise * random.uniform(-0.5, 0.5);  // each with variance 1/12
     if (random.chance(family.outliers)) log_error += random.pick(std::array{-1, 1}) * random.uniform(0.7, 3);
     samples.push_back({range, std::min(1.0, attenuation_at(light, range) * std::exp(log_error))});
   }
@@ -158,7 +158,7 @@ struct Measurement {
   std::size_t tables;
   Timing timing;           ///< ns a table
   double objective;        ///< mean over the tables
-  double solved_fraction;  ///< of the tables
+  double solved_fraction;  ///< fraction of the tables
   double digits;           ///< the fewest of a table
 };
 

@@ -30,7 +30,7 @@ glm::dvec3 place_in_view(const scene::Camera& camera, glm::dvec2 point) {
   forward = glm::normalize(glm::dvec3(forward.x, 0, forward.z));
   const glm::dvec3 right(-forward.z, 0, forward.x);
   const double range = farthest * std::sqrt(point.x);  // the view widens with range
-  constexpr double kAspect = 16.0 / 9;                 // of every picture measured
+  constexpr double kAspect = 16.0 / 9;                 // the same in every picture measured
   const double half_width = range * kAspect * std::tan(double(camera.field_of_view) / 2);
   return eye + forward * range + right * (half_width * (2 * point.y - 1));
 }

@@ -75,13 +75,13 @@ class PlainRenderer {
   const scene::Scene& scene_;
   Atmosphere atmosphere_;
   render::Framebuffer framebuffer_;
-  std::vector<std::size_t> light_order_;  // of the uniform array: first the local ones
+  std::vector<std::size_t> light_order_;  // order in the uniform array: local lights first
   std::size_t local_count_;
   std::vector<PlainLight> packed_;  // in that order
-  gl::FogLightBuffer fog_block_;    // of the light points, holds no lights
+  gl::FogLightBuffer fog_block_;    // for the light points, holds no lights
   std::optional<render::LayeredTexture> cookies_;
   std::map<std::string, Material> materials_;
-  std::vector<std::vector<std::unique_ptr<Mesh>>> meshes_;  // of each model
+  std::vector<std::vector<std::unique_ptr<Mesh>>> meshes_;  // by model
   std::vector<Draw> draws_;                                 // sorted by material
   gl::Program surface_program_;
   gl::Program sky_program_;

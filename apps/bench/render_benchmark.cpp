@@ -49,9 +49,9 @@ struct Trial {
   Setting setting;
   Technique technique;
   measure::FrameTimes times;
-  double over_legacy;                     // of the medians
-  double over_two_light_legacy;           // likewise
-  std::optional<double> over_plain = {};  // likewise; none where plain cannot hold the lights
+  double over_legacy;                     // ratio of medians
+  double over_two_light_legacy;           // ratio of medians
+  std::optional<double> over_plain = {};  // ratio of medians; none where plain cannot hold the lights
   /// Of a smaller picture; none of the unlit pass and of plain, which have no formulas.
   std::optional<measure::PictureError> error = {};
 };
@@ -294,7 +294,7 @@ Result measure_render(bool quick) {
   result.gl_renderer = context.renderer();
   for (const Trial& trial : trials) {
     if (!trial.error) continue;
-    // Unified states what is exact but for the rounding of floats and of the half-float framebuffer; all are finite.
+    // Unified is exact except for the rounding of floats and of the half-float framebuffer; all values are finite.
     const bool is_unified = trial.technique.path == &default_path();
     const double bound = is_unified ? 1 : std::numeric_limits<double>::max();
     if (trial.error->largest <= bound) continue;

@@ -20,7 +20,7 @@ using Vector = hn::Vec<Tag>;
 
 /// One vector of lights on its way through the samples.
 struct Sampling {
-  Vector constant, linear, quadratic;  ///< of the denominator in steps of extent / N
+  Vector constant, linear, quadratic;  ///< denominator's terms in steps of extent / N
   Vector opacity, best;
   Vector step, growth;  ///< opacity of the step from this sample to the next, and what it grows by (exp2)
 };

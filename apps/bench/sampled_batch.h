@@ -13,7 +13,7 @@ namespace litfog::bench {
 /// opacity(r) + (1 - opacity(r)) p, which only adds and so cancels nothing; in exp2 fog p follows in the same way.
 ///
 /// lights     finite extents > 0; full columns, at least 64 lights
-/// intensity  as sample_fog_intensity of each light, but for rounding
+/// intensity  as sample_fog_intensity of each light, except for rounding
 void sample_fog_intensities(FogMode mode, const BatchLightsF& lights, int samples, std::span<float> intensity);
 
 }  // namespace litfog::bench

@@ -28,7 +28,7 @@ namespace {
 using test::Digits50;
 
 struct Scale {
-  std::size_t lights;      ///< of a pass: more than branch predictors learn, less than the second cache holds
+  std::size_t lights;      ///< a pass: more than branch predictors learn, less than the second cache holds
   std::size_t references;  ///< the first of them
   std::size_t uncached;    ///< lights of a pass through memory
   StopwatchSettings stopwatch;

@@ -68,7 +68,7 @@ struct Follower {
   std::function<void(const Fog&)> step;
   std::function<double(std::size_t light)> intensity;  ///< as it stands after a step
   std::function<double()> skipped_share;
-  std::function<std::size_t()> dirty_bytes;  ///< of the lights, after a step
+  std::function<std::size_t()> dirty_bytes;  ///< the lights' bytes, after a step
 };
 
 /// What a follower did at each step.
