@@ -191,7 +191,7 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
     return end(error.what(), kBadInput);
   } catch (const std::logic_error& error) {
     return end(std::string("internal error: ") + error.what(), kInternalError);
-  } catch (const std::exception& error) {  // of a library, which refused what the input asked for
+  } catch (const std::exception& error) {  // from a library that refused the input's request
     return end(error.what(), kBadInput);
   }
 }

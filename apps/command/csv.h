@@ -30,7 +30,7 @@ class CsvRecord {
   std::string_view field(std::size_t i) const {
     return std::string_view(text_).substr(fields_[i].begin, fields_[i].size);
   }
-  CsvLocation location(std::size_t i) const { return fields_[i].location; }  ///< of a quoted field: its quote
+  CsvLocation location(std::size_t i) const { return fields_[i].location; }  ///< a quoted field's is its quote
 
   /// The first fields as they stood in the file, quotes and commas included, without the line's end.
   std::string_view raw(std::size_t count) const;

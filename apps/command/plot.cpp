@@ -161,7 +161,7 @@ std::string style_command(SeriesStyle style, std::size_t color) {
   return "lines dt 2 " + line;
 }
 
-/// Rings and rays in place of axes.
+/// Rings and rays instead of axes.
 void begin_polar(Script& script, const Axis& radius) {
   script.add("set polar; set angles degrees; set theta bottom cw");
   script.add("unset xlabel; unset ylabel; unset logscale; unset border; unset xtics; unset ytics; unset raxis");

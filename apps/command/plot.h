@@ -35,7 +35,7 @@ struct Series {
   std::string name = {};  ///< for the key; without a name it is not in it
   std::vector<PlotPoint> points = {};
   SeriesStyle style = SeriesStyle::line;
-  int color = -1;  ///< of eight that colour-blind readers can tell apart, each with its mark, and again with other
+  int color = -1;  ///< one of eight that colour-blind readers can tell apart, each with its mark, and again with other
                    ///< marks; -1: the next
 };
 

@@ -21,7 +21,7 @@ struct Drawn {
   measure::FrameTimes times;
   std::size_t shadow_lamps;                       ///< that cast shadows
   std::size_t shadow_maps;                        ///< theirs and the moon's
-  render::FrameStatistics statistics;             ///< of one frame more, if asked for
+  render::FrameStatistics statistics;             ///< one more frame's, if asked for
   std::optional<measure::Comparison> comparison;  ///< with the reference, if asked for
   int samples;                                    ///< a pixel
   std::string gl_renderer;

@@ -21,7 +21,7 @@ struct NumberRule;
 
 namespace litfog::drawing {
 
-extern const command::NumberRule kSeconds;  ///< of --time
+extern const command::NumberRule kSeconds;  ///< for --time
 
 /// What the jobs of litfog-demo have in common: how they draw. A job adds the options that mean something to it.
 struct DrawingOptions {
@@ -42,7 +42,7 @@ struct DrawingOptions {
   double visibility_in(const scene::Scene& scene) const;
   /// How a path draws. One that takes no airlight draws the peak whatever is asked for.
   render::RenderSettings settings_of(const render::LightingPath& path) const;
-  /// How the chosen path draws: by `render`, but for what fog_light states and the path excludes.
+  /// How the chosen path draws: by `render`, except for what fog_light states and the path excludes.
   render::RenderSettings settings() const { return settings_of(*render.path); }
   FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
   /// The fog of a visibility in metres.

@@ -18,16 +18,16 @@ struct NumberRule;
 
 namespace litfog::drawing {
 
-extern const command::NumberRule kFieldOfView;  ///< of --fov-deg
+extern const command::NumberRule kFieldOfView;  ///< for --fov-deg
 
 /// A scene as the command line states it.
 struct SceneOptions {
   std::string scene;                             ///< the name of one that comes with litfog, or a file's path
-  std::vector<scene::SceneChange> changes = {};  ///< of members of its file
+  std::vector<scene::SceneChange> changes = {};  ///< changes of its file's members
   std::optional<glm::dvec3> camera = {};         ///< metres; default: the scene's own, like the two that follow
   std::optional<glm::dvec3> target = {};         ///< metres
   std::optional<double> field_of_view_deg = {};  ///< vertical
-  int city_lights = 0;                           ///< of a generated city; 0: the scene's
+  int city_lights = 0;                           ///< number of lights in a generated city; 0: the scene's
 };
 
 /// SCENE of a single scene.
@@ -39,8 +39,8 @@ void add_city_lights(CLI::App& app, SceneOptions& options);
 /// --camera, --target and --fov-deg.
 void add_view(CLI::App& app, SceneOptions& options);
 
-/// Reads the scene, changes it and puts its camera in place. Throws InputError, and the usage error of a view that no
-/// scene file may have either.
+/// Reads the scene, changes it and sets its camera. Throws InputError, and the usage error of a view that no scene file
+/// may have either.
 ///
 /// kept  as scene::read_scene takes it
 scene::Scene read_scene(const SceneOptions& options, scene::SceneParts* kept = nullptr);

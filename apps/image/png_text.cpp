@@ -78,7 +78,7 @@ class PngReader {
     png_read_info(png_, info_);
     Levels levels{int(png_get_image_width(png_, info_)), int(png_get_image_height(png_, info_)), 0, {}};
     accept(levels.width, levels.height);
-    png_set_expand(png_);    // of palettes and of less than 8 bits; a transparent colour becomes alpha
+    png_set_expand(png_);    // palettes and less than 8 bits; a transparent colour becomes alpha
     png_set_scale_16(png_);  // rounds, where png_set_strip_16 cuts off
     png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);

@@ -26,7 +26,7 @@
 #include <vector>
 
 constexpr int kWidth = 320, kHeight = 180;
-constexpr glm::dvec2 kTangents{8 / 9., 0.5};  // of half the width and the height of the picture
+constexpr glm::dvec2 kTangents{8 / 9., 0.5};  // half the picture's width and height
 constexpr glm::dvec3 kEye{0, 2, 0};           // looks along -z
 constexpr double kBackdrop = 1000;            // metres ahead, black: the sky
 constexpr glm::dvec3 kFogColor{0.01, 0.012, 0.015};
