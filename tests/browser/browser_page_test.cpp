@@ -62,8 +62,8 @@ constexpr const char* kFirstTexelScript = R"(
 
 /// How far apart two pictures are, in steps of 1/255, by each pixel's largest channel.
 struct Difference {
-  double mean;      ///< of all pixels but those in the points of lamps, which the reference has not
-  double flat_p99;  ///< of those of them that are like their neighbours: drivers put samples of edges elsewhere
+  double mean;      ///< over all pixels except in lamps' points, which the reference lacks
+  double flat_p99;  ///< over pixels like their neighbours: drivers put samples of edges elsewhere
   double flat_fraction;
 };
 

@@ -235,7 +235,7 @@ TEST(Airlight, AxialAirlightHasItsLimits) {
     EXPECT_EQ(axial_airlight({20, 0.1, 0.01}, {mode, 1e-3}, 0.05), 0);
     EXPECT_EQ(axial_airlight({20, 0.1, 0.01}, {mode, kInfinity}, 0.05), 0);
   }
-  // The plateau alone: a light that ends at its knee but for the last ulp.
+  // The plateau alone: a light that ends within an ulp of its knee.
   EXPECT_NEAR(axial_airlight({0, 1, 0}, {FogMode::exp, 2}, 1 - 1e-15), opacity_at({FogMode::exp, 2}, 1), 1e-15);
 }
 
@@ -417,9 +417,10 @@ TEST(Airlight, AirlightOfAnInverseSquareLightIsSuns) {
 
 /// Errors of the fast form over random rays.
 struct FastErrors {
-  double worst = 0;  ///< of the lamp's colour, or of the airlight where that is brighter; NaN counts as infinite
+  double worst =
+      0;  ///< relative to the lamp's colour, or to the airlight where that is brighter; NaN counts as infinite
   std::string worst_case;
-  std::vector<double> relative;  ///< of the rays that show more than the dimmest
+  std::vector<double> relative;  ///< for rays that show more than the dimmest
 };
 
 template <typename Draw>
@@ -833,7 +834,7 @@ TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
     }
     const double half_angle = random.chance(0.1) ? std::numbers::pi : random.log_uniform(1e-6, 3);
     const double tilt =
-        half_angle * (random.chance(0.5) ? 1 - 1e-9 : random.uniform(0, 1));  // of the ray from the axis
+        half_angle * (random.chance(0.5) ? 1 - 1e-9 : random.uniform(0, 1));  // angle of the ray from the axis
     const glm::dvec3 axis =
         glm::normalize(std::cos(tilt) * c.ray.direction + std::sin(tilt) * draw_perpendicular(random, c.ray.direction));
     const double bound = bound_airlight(c.light, c.atmosphere, c.ray.origin, axis, half_angle, c.lamp_leg);
@@ -845,7 +846,7 @@ TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
 }
 
 TEST(AirlightBound, BoundOnAStretchOfARayIsNeverBelowItsAirlight) {
-  constexpr double kLeftOut = 0.02;     // of the airlight, where the stretch ends in the fog
+  constexpr double kLeftOut = 0.02;     // fraction of the airlight, where the stretch ends in the fog
   constexpr double kAllLeftOut = 1e-6;  // airlight of which the fog leaves so little that the stretch may be empty
   airlight_text::Text<double, airlight_text::NoCookie> text{airlight_text::NoCookie{}};
   Random random(80);

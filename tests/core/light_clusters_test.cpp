@@ -417,7 +417,7 @@ TEST(LightClusters, PointsAreInTheClusterWhosePartOfTheViewHoldsThem) {
       const auto cluster = std::size_t(random.below(int(clusters.clusters().size())));
       EXPECT_EQ(clusters.cluster_at(draw_point_in(random, clusters.part_of_view(cluster))), cluster);
     }
-    double solid = 0;  // of all parts together: they fill the view
+    double solid = 0;  // sum over all parts, which fill the view
     const auto size_of = [](const View& part) {
       return (part.right - part.left) * (part.top - part.bottom) *
              (std::pow(part.farthest, 3) - std::pow(part.nearest, 3));

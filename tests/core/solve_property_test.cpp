@@ -17,7 +17,7 @@ namespace litfog::test {
 namespace {
 
 constexpr double kUlp = std::numeric_limits<double>::epsilon();
-constexpr double kRoundingOfTwo = 4 * kUlp;      // of two solves, each exact to 2 ulp
+constexpr double kRoundingOfTwo = 4 * kUlp;      // two solves, each exact to 2 ulp
 constexpr double kRoundingOfSample = 16 * kUlp;  // a solve's 2, opacity's 4, attenuation's 3, a range off by 3 squared
 
 /// Calls body with random ordinary lights and, one in four, lights over sixty decades.

@@ -104,7 +104,7 @@ class UploadedTable {
     ASSERT_TRUE(std::ranges::equal(entries_, table, is_same<Entry>));
   }
 
-  std::size_t bytes = 0;  // of the last upload
+  std::size_t bytes = 0;  // size of the last upload
 
  private:
   std::vector<Entry> entries_;

@@ -53,7 +53,7 @@ TEST(HeatMap, PictureOfItsColorsAloneHasThePicturesSize) {
 TEST(HeatMap, NarrowPictureIsMagnifiedNoFurtherThanToTwoThousandRows) {
   const PictureError error{.width = 1, .height = 1000, .pixels = std::vector<float>(1000, 100.0f)};
   const Picture map = make_heat_map(error, "test");
-  EXPECT_EQ(map.width, 640);  // of the words
+  EXPECT_EQ(map.width, 640);  // the text's width
   EXPECT_LT(map.height, 2048 + 100);
   EXPECT_LT(glm::distance(pixel(map, 1, 1999), glm::dvec3(heat_color(1))), 1e-3f);
   EXPECT_LT(luminance(pixel(map, 2, 1999)), 0.02);  // beside the picture

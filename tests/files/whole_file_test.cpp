@@ -200,7 +200,7 @@ TEST_F(WholeFile, FileThatDoesNotReachTheDiskIsAnError) {
   write_whole_file(path("a"), "earlier");
   sync_error = EIO;
   EXPECT_THROW(write_whole_file(path("a"), "text"), OutputError);
-  sync_error = EINVAL;  // of a file system that cannot tell
+  sync_error = EINVAL;  // from a file system that cannot tell
   write_whole_file(path("b"), "text");
   sync_error = 0;
   EXPECT_EQ(read("a"), "earlier");

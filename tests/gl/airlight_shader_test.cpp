@@ -24,12 +24,12 @@ class AirlightShader : public GlTest {};
 constexpr int kRays = 8000;
 constexpr double kNarrowest = 0.02;  // radians: of narrower cones, a float has too few digits of the cosine
 
-constexpr double kDim = 1e-5;  // of white, a thirtieth of a step of the display: in floats, less is rounding
+constexpr double kDim = 1e-5;  // fraction of white, a thirtieth of a step of the display: less is rounding of floats
 
 /// A case as the shader's floats hold it: the same lamp, fog and ray, seen from the origin along -z.
 struct ShaderCase {
   AirlightCase exact;
-  std::array<glm::vec4, 5> members;  // of LitfogAirlight, in order
+  std::array<glm::vec4, 5> members;  // LitfogAirlight's members, in order
 };
 
 double rounded(double x) { return double(float(x)); }
@@ -91,7 +91,7 @@ std::vector<double> draw(const std::vector<ShaderCase>& cases) {
 
 void expect_stated_errors(const std::vector<ShaderCase>& cases, const std::string& what) {
   const std::vector<double> airlights = draw(cases);
-  double largest = 0;  // of the lamp's colour, or of the airlight where that is brighter
+  double largest = 0;  // relative to the lamp's colour, or to the airlight where that is brighter
   std::string worst;
   std::vector<double> relative;
   for (std::size_t i = 0; i < cases.size(); ++i) {

@@ -63,7 +63,7 @@ TEST_F(FogShader, OpacityOfTotalFogIsOneAndOfClearAirZero) {
   }
 }
 
-constexpr double kColorBound = 2e-5;  // of colours up to 8: a two-hundredth of a step of 1/255
+constexpr double kColorBound = 2e-5;  // for colours up to 8: a two-hundredth of a step of 1/255
 
 TEST_F(FogShader, FogColorAddsTheCarriedLightsToTheAmbient) {
   const std::vector<vec4> points = random_positions();

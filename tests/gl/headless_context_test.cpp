@@ -130,7 +130,7 @@ TEST(HeadlessContext, MachineWhereTooFewThreadsCanStartIsUnsupported) {
 }
 
 TEST(HeadlessContext, TooLittleMemoryIsNamedAsTheReason) {
-  for (const char* kibibytes : {"100000", "200000", "300000"}) {  // of which Mesa does not start, or crashes
+  for (const char* kibibytes : {"100000", "200000", "300000"}) {  // with these Mesa does not start, or crashes
     EXPECT_EQ(output_of_probe(std::string("ulimit -v ") + kibibytes + ";"),
               "OpenGL needs 320 MiB of memory to start, and this process cannot get them: Cannot allocate memory\n");
   }

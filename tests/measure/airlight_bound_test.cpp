@@ -25,7 +25,7 @@ measure::ReferenceLight reference_light(const PlacedLight& light, const Fog& fog
 
 TEST(MeasureAirlightBound, BoundIsNeverBelowTheAirlight) {
   constexpr double kQuadrature = 1e-9;  // ten times what the reference states
-  constexpr double kRounding = 1e-15;   // of rays that pass through the lamp: which side they are on
+  constexpr double kRounding = 1e-15;   // for rays through the lamp, whose side is rounding
   Random random(91);
   int useful = 0;
   for (int i = 0; i < 4000; ++i) {

@@ -407,7 +407,8 @@ TEST_F(ReferenceMaterial, LampShinesThroughTheHolesOfAMask) {
   const ReferenceLight light = reference_lights(scene, {}, RenderSettings{}).at(0);
   for (int x = -3; x < 3; ++x) {
     for (int y = -3; y < 3; ++y) {
-      const glm::dvec2 middle(x * 0.5 + 0.25, y * 0.5 + 0.25);  // of a field; on the wall twice as far from the axis
+      const glm::dvec2 middle(x * 0.5 + 0.25,
+                              y * 0.5 + 0.25);  // a field's middle; on the wall twice as far from the axis
       const std::uint8_t* const texel = texel_at(*scene.materials[0].albedo, middle + 0.01);
       EXPECT_EQ(shadows.is_dark(light, glm::dvec3(2.0 * middle, -3)), texel[3] == 255) << x << ", " << y;
     }

@@ -207,7 +207,7 @@ TEST_F(ReferencePictureTest, ReferenceHasTheRenderersSamples) {
   const Scene scene = read_scene(bundled_scene_path("room"));
   for (const FogLighting fog_lighting : {FogLighting::peak, FogLighting::airlight}) {
     for (const int samples : {1, 2, 4}) {
-      for (const std::string_view path : {"unified", "accumulate"}) {  // of one pass and of several
+      for (const std::string_view path : {"unified", "accumulate"}) {  // one pass and several passes
         Renderer renderer(scene, 64, 36,
                           {.path = find_lighting_path(path), .fog_lighting = fog_lighting, .samples = samples});
         renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 20.0)));
@@ -223,7 +223,7 @@ TEST_F(ReferencePictureTest, ReferenceHasTheRenderersSamples) {
 /// What a path is held to at 160x90, clear and in both kinds of fog, in 1/255. Every pixel is compared, those on the
 /// edges of surfaces too, for the samples are the same.
 struct PathBound {
-  double beyond_maps;  ///< of the largest error beyond what light maps leave open
+  double beyond_maps;  ///< bound of the largest error beyond what light maps leave open
   double mean;
 };
 
@@ -620,7 +620,7 @@ TEST_F(ReferencePictureTest, AirlightOfManyLampsBeyondTheirExtentsIsThatOfTheRef
     renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
     renderer.draw(LightPoints::off);
     const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
-    double cut_off = 0;  // of a ray over the lamps
+    double cut_off = 0;  // along a ray over the lamps
     double whole = 0;
     const EyeRay ray{.origin = scene.camera.position, .direction = glm::normalize(glm::dvec3(0, 0.15, -1))};
     const measure::PathModel model(renderer);

@@ -201,8 +201,8 @@ TEST_F(ReferenceShadow, MoonMapsFollowTheCameraAndLampsMapsStay) {
 struct ShadowBound {
   const char* scene;
   const char* path;
-  double excluded;  ///< of all pixels
-  double missed;    ///< of all pixels, that err by more than a step
+  double excluded;  ///< fraction of all pixels
+  double missed;    ///< fraction of all pixels with an error above a step
 };
 
 void expect_shadows_of_rays(const Scene& scene, const RenderSettings& settings, const ShadowBound& bound, int width,

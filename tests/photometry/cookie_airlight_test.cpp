@@ -79,7 +79,7 @@ TEST(CookieAirlight, ReferenceFollowsEachTexel) {
     double from = 0;
     for (int j = 0; j < 1000; ++j) {
       const double to = (j + 1) * 0.005;
-      double jump = to;  // of the cookie, from one face of its cube to another
+      double jump = to;  // where the ray passes from one face of the cookie's cube to another
       if (face_at(from) != face_at(to)) {
         double before = from;
         for (int halving = 0; halving < 60; ++halving) {

@@ -105,7 +105,7 @@ TEST(CookieFile, ImageOfAnotherKindIsAnError) {
   constexpr std::size_t kVersion = 4;
   EXPECT_NE(error_of(with(bytes, kVersion, std::int32_t{0x202})), "accepted");   // tiled
   EXPECT_NE(error_of(with(bytes, kVersion, std::int32_t{0x802})), "accepted");   // deep
-  EXPECT_NE(error_of(with(bytes, kVersion, std::int32_t{0x1002})), "accepted");  // of several parts
+  EXPECT_NE(error_of(with(bytes, kVersion, std::int32_t{0x1002})), "accepted");  // several parts
 }
 
 TEST(CookieFile, ValueThatIsNoFractionIsAnError) {

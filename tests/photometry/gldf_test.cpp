@@ -121,7 +121,7 @@ std::size_t directory_record(const std::string& archive, const std::string& entr
 TEST_F(Gldf, EntriesThatShareTheirBytesAreAnError) {
   write(numbered_files(3, kSpot));
   std::string bytes = bytes_of(path());
-  constexpr std::size_t kOffset = 42;  // of the entry's place, in a record
+  constexpr std::size_t kOffset = 42;  // the entry's position, in a record
   const auto place = [&](int i) { return directory_record(bytes, "ldc/" + numbered(i)) + kOffset; };
   bytes.replace(place(2), 4, bytes, place(0), 4);
   std::ofstream(path(), std::ios::binary) << bytes;
@@ -137,7 +137,7 @@ TEST_F(Gldf, EntriesThatShareTheirBytesAreAnError) {
 TEST_F(Gldf, PhotometricFilesOfMoreThan256MebibytesTogetherAreAnError) {
   write(numbered_files(5, kSpot));
   std::string bytes = bytes_of(path());
-  constexpr std::size_t kSize = 24;  // of the unpacked bytes' count, in a record
+  constexpr std::size_t kSize = 24;  // the count of unpacked bytes, in a record
   for (int i = 0; i < 5; ++i) {
     bytes.replace(directory_record(bytes, "ldc/" + numbered(i)) + kSize, 4, std::string("\0\0\0\4", 4));  // 64 MiB
     std::ofstream(path(), std::ios::binary) << bytes;

@@ -142,7 +142,7 @@ TEST(AutoExposure, BlackSkyAndAFewBrightLampsDoNotChangeIt) {
 }
 
 TEST(AutoExposure, LitPlaceInADarkPictureIsNotWhite) {
-  for (const std::size_t lit : {1'100u, 4'000u}) {  // of 100,000
+  for (const std::size_t lit : {1'100u, 4'000u}) {  // out of 100,000 pixels
     std::vector<glm::vec3> colors(100'000, glm::vec3(0.001f));
     for (std::size_t i = 0; i < lit; ++i) colors[i] = glm::vec3(128);
     const double ev = auto_exposure(row(colors));

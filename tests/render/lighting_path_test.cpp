@@ -151,8 +151,8 @@ class Expected {
   const Finish& finish_;
   const RenderSettings& settings_;
   Fog fog_;
-  std::vector<double> reaches_;      // of each light
-  std::vector<double> intensities_;  // likewise
+  std::vector<double> reaches_;      // one a light
+  std::vector<double> intensities_;  // one a light
 };
 
 /// Largest difference from the formula over all pixels, in each fog.
@@ -279,7 +279,7 @@ TEST_F(LightingPathPixels, LightsWithoutAnEndLightEveryPath) {
       double bound = kHalfFloat;
       if (path.evaluation == Evaluation::lookup && std::isfinite(reach)) {
         // The wall lies between the texels around the light, half a texel off along each axis.
-        const double off = std::sqrt(3.0) / 127;  // of the extent
+        const double off = std::sqrt(3.0) / 127;  // fraction of the extent
         const double fall = path.range == RangeLaw::radial ? off * off : 1 - attenuation_at(attenuation, off * reach);
         bound += finish.albedo.r * scene.lights[0].light.color.r * fall;
       }

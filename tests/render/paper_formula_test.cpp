@@ -59,7 +59,7 @@ struct Setting {
   double light_ambient = 0;
   Texels normal_map{1, 1, {128, 128, 255, 0}};
   dvec3 mapped_normal = kNormal;  ///< which it states
-  double turn = 0;                ///< of the wall about kTurnAxis through its middle, radians
+  double turn = 0;                ///< the wall's, about kTurnAxis through its middle, radians
 };
 const dvec3 kTurnAxis = glm::normalize(dvec3(1, -2, 0.5));
 
@@ -412,7 +412,7 @@ class PaperFormula : public test::GlTest {
 
 constexpr double kHalfFloat = 0x1p-10;
 constexpr double kVertices = 2 * kHalfFloat;  // a rasteriser places vertices to 1/256 of a pixel
-constexpr double kTexels = 1.0 / 255;         // of 128 texels a side, in smooth light
+constexpr double kTexels = 1.0 / 255;         // for 128 texels a side, in smooth light
 
 TEST_F(PaperFormula, LookupPathsAreHalessEquation) {
   for (const char* path : {"lookup-3d", "lookup-2d"}) {

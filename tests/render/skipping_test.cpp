@@ -280,7 +280,7 @@ TEST_F(HiddenWall, WallThatIsBrightWithoutLampsIsDrawn) {
   expect_drawn();
   scene_.environment = dark;
   scene_.environment.moon_direction = {0, 0, 1};
-  scene_.environment.moon_color = bright;  // of its light alone: in the sky it is as bright as ever
+  scene_.environment.moon_color = bright;  // its light alone: in the sky it is as bright as ever
   expect_drawn();
   scene_.environment = dark;
   scene_.materials.front().emissive = bright;

@@ -78,7 +78,7 @@ TEST(City, LampsOfAHouseLeaveItsBrightPanes) {
   EXPECT_TRUE(std::ranges::any_of(panes, &BrightPane::is_shop));
   EXPECT_FALSE(std::ranges::all_of(panes, &BrightPane::is_shop));
   const Model model = make_apartment_house(house);
-  std::size_t triangles = 0;  // of bright panes: four a pane
+  std::size_t triangles = 0;  // in bright panes: four a pane
   for (const Part& part : model) {
     if (part.material == "window_lit" || part.material == "window_dim") triangles += part.mesh.indices.size() / 3;
   }

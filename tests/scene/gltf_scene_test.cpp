@@ -294,7 +294,7 @@ TEST_F(GltfScene, MetallicRoughnessBecomesTheBasicModel) {
   EXPECT_FLOAT_EQ(material.shininess, shininess);
   EXPECT_FLOAT_EQ(material.specular.g, (0.75f * 0.04f + 0.25f * 0.25f) * (shininess + 8) / 8);
   EXPECT_EQ(material.emissive, glm::vec3(0, 0.5f, 0));
-  const std::vector<std::uint8_t> srgb{165, 120, 225, 255};  // of 0.375, 0.1875, 0.75
+  const std::vector<std::uint8_t> srgb{165, 120, 225, 255};  // from 0.375, 0.1875, 0.75
   EXPECT_EQ(material.albedo->rgba, srgb);
 }
 

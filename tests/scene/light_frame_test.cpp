@@ -68,7 +68,7 @@ dvec3 turned(const dvec3& v, const dvec3& axis, double angle) {
 }
 
 // The vehicle turns about its own axes: to its heading about the vertical, up about its right side, over about its
-// nose; the lamp likewise, in the vehicle's axes.
+// nose; the lamp in the same way, in the vehicle's axes.
 TEST(LightFrame, LampPointsWhereTheVehiclesTurnsTakeIt) {
   test::Random random(4);
   for (int i = 0; i < 1000; ++i) {

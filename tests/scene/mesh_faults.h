@@ -10,8 +10,8 @@ namespace litfog::test {
 /// What is wrong with a mesh, counted.
 struct Faults {
   int not_finite = 0;
-  int normals_not_unit = 0;   // by more than 1e-3
-  int tangents_not_unit = 0;  // likewise
+  int normals_not_unit = 0;  // by more than 1e-3
+  int tangents_not_unit = 0;
   int tangents_not_square = 0;
   int signs_not_one = 0;
   int indices_out_of_range = 0;

@@ -154,7 +154,7 @@ TEST_F(PictureMakerTest, DragOfALightGivesUpTheWholePictureAndEndsWithTheLastLig
   while (shown.order.is_sketch) shown = wait(maker);
   EXPECT_EQ(shown.pictures[0].pixels, drawn_by_demo(last, 0));
   EXPECT_NE(shown.pictures[0].pixels, drawn_by_demo(with_light(kSteps - 1), 0));
-  EXPECT_LE(deliveries, 5);  // of 28 orders
+  EXPECT_LE(deliveries, 5);  // for 28 orders
   EXPECT_FALSE(maker.take());
   EXPECT_FALSE(maker.is_busy());
 }
