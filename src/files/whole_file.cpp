@@ -45,7 +45,7 @@ bool sync(int file) {
   return true;
 }
 
-/// The same of a folder's names. One that may not be read cannot be synced.
+/// Syncs a folder's names. A folder that may not be read cannot be synced.
 bool sync_folder(const fs::path& folder) {
   const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (file < 0) return true;

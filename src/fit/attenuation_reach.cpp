@@ -47,7 +47,7 @@ Interval reachable_ranges(const AttenuationTarget& target, double attenuation) {
   return {std::min(linear, quadratic), std::max(linear, quadratic)};
 }
 
-/// To few digits, up or down: more where they are needed to stay between low and high.
+/// Rounds up or down to few digits, or to as many as are needed to stay between low and high.
 std::string format_within(double value, double low, double high, int few = 4) {
   std::array<char, 32> text;
   for (int digits = few; digits < 17; ++digits) {

@@ -63,7 +63,7 @@ constexpr double kMinSmooth = 1e-6;
 /// Steps from the reference, as fractions of its D, below which h loses digits: from here on it has twelve.
 constexpr double kMinStep = 0.1;
 
-/// Of its objective, to which a reference other than a minimum is found: its own slope takes little from the bounds.
+/// Relative tolerance of the objective for a reference that is no minimum: its slope weakens the bounds only a little.
 constexpr double kReferenceTolerance = 1e-8;
 
 /// A number of held samples gets a descent of its own when it has more open boxes than this: it costs as much.

@@ -29,7 +29,7 @@ glm::dvec2 daylight(double t) {
   return {x, -0.275 + x * (2.870 - 3.000 * x)};
 }
 
-/// Of luminance 1.
+/// Tristimulus values of luminance 1.
 glm::dvec3 tristimulus(const glm::dvec2& xy) { return {xy.x / xy.y, 1, (1 - xy.x - xy.y) / xy.y}; }
 
 }  // namespace

@@ -110,8 +110,8 @@ AxialSample own_sample(const IntensityDistribution& distribution, double angle, 
 
 // --- integrals of squares ---
 
-/// Of an interval of the angle from the pole, the integrals of (1 - t)^2, 2 (1 - t) t and t^2 with the sine of that
-/// angle, where t runs from 0 to 1, by Gauss's rule of five points.
+/// Integrals of (1 - t)^2, 2 (1 - t) t and t^2, each times the sine of the angle from the pole, over an interval of
+/// that angle in which t runs from 0 to 1, by Gauss's rule of five points.
 struct SquareWeights {
   double low = 0, both = 0, high = 0;
 

@@ -5,7 +5,7 @@
 
 namespace litfog {
 
-/// From a beam's last lit angle to the dark beyond it in its table or profile, radians: 0.01 degrees.
+/// Step from a beam's last lit angle to the dark beyond it in a table or profile, radians: 0.01 degrees.
 inline constexpr double kDarkEdge = std::numbers::pi / 18000;
 
 }  // namespace litfog

@@ -20,7 +20,7 @@ constexpr double kKilolumen = 1e3;
 /// Symmetry indicator Isym.
 enum Symmetry { kNone = 0, kRound = 1, kAboutC0 = 2, kAboutC90 = 3, kAboutBoth = 4 };
 
-/// Of the planes in the file's list, those whose intensities follow, in their order.
+/// The planes of the file's list whose intensities follow, in their order.
 struct StoredPlanes {
   std::vector<double> angles;  // degrees; negative where they run through C270 to C0
   std::string_view rule;       // why the list does not fit the symmetry, or empty

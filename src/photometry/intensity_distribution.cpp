@@ -71,7 +71,7 @@ std::vector<double> trapezoidal_weights(std::span<const double> angles) {
   return weights;
 }
 
-/// The same for an integral times the sine of the angle from the pole: with half width w about the middle m, an
+/// Weights for an integral times the sine of the angle from the pole: with half width w about the middle m, an
 /// interval's two weights have the sum 2 sin m sin w and the difference 2 cos m (sin w / w - cos w).
 std::vector<double> polar_weights(std::span<const double> angles, double pole) {
   std::vector<double> weights(angles.size(), 0);

@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view kLittleEndianMark = "\xFF\xFE";
 constexpr std::string_view kBigEndianMark = "\xFE\xFF";
-constexpr std::size_t kSampleBytes = std::size_t{64} << 10;  // of text beyond ASCII are enough to guess from
+constexpr std::size_t kSampleBytes = std::size_t{64} << 10;  // sample size, enough to guess from
 
 bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 

@@ -106,7 +106,7 @@ HWY_INLINE Split<V> fast_two_sum(V a, V b) {
   return {sum, hn::Sub(b, hn::Sub(sum, a))};
 }
 
-/// The same for a and b >= 0.
+/// fast_two_sum() for a and b >= 0 in either order.
 template <class V>
 HWY_INLINE Split<V> two_sum(V a, V b) {
   return fast_two_sum(hn::Max(a, b), hn::Min(a, b));
@@ -266,7 +266,7 @@ HWY_INLINE VF guess_stationary_exp(DF df, VF constant, VF a, VF b) {
   return hn::Sub(x, rough_log1p(df, rough_quotient(df, hn::Mul(weight, hn::Mul(x, x)), damping)));
 }
 
-/// The same for exp2 fog, within 3 %.
+/// A guess of the stationary point in exp2 fog, within 3 %.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF guess_stationary_exp2(DF df, VF constant, VF a, VF b) {
   const VF two_c = hn::Add(constant, constant);
@@ -295,7 +295,7 @@ struct Slope {
   VF third;
 };
 
-/// Those of solve.cpp.
+/// The slope of solve.cpp and its derivatives.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE Slope<VF> slope_exp(DF df, VF constant, VF a, VF b, VF x) {
   const VF two_b = hn::Add(b, b);
@@ -308,7 +308,8 @@ HWY_INLINE Slope<VF> slope_exp(DF df, VF constant, VF a, VF b, VF x) {
           hn::MulAdd(two_b, e1, hn::Mul(e, next)), hn::Mul(e, hn::Add(next, hn::Add(two_b, two_b)))};
 }
 
-/// Those of solve.cpp times 2 x, 2 x^2, 2 x^3 and 2 x^4, which saves the divisions; steps are then relative to x.
+/// The slope of solve.cpp and its derivatives times 2 x, 2 x^2, 2 x^3 and 2 x^4, which saves the divisions; steps are
+/// then relative to x.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE Slope<VF> slope_exp2(DF df, VF constant, VF a, VF b, VF x) {
   const VF bend = hn::Mul(hn::Add(b, b), x);

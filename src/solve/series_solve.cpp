@@ -81,7 +81,7 @@ HWY_INLINE FogLoss loss_over(const Split<double>& depth) {
   const Split<double> sum = fast_two_sum(1 - scale, scale * high);
   const double rest = (low + rounding * (1 - g)) - curve;
   const Split<double> opacity = fast_two_sum(sum.high, sum.low + scale * rest);
-  // Of the bend, too, the first term is exactly 0 where n = 0, and nothing cancels.
+  // The bend's first term, too, is exactly 0 where n = 0, and nothing cancels.
   const double bend = (1 - scale * (1 + n * kLn2)) + scale * (u * g - (1 + u) * curve);
   return {opacity, scale - scale * (high + rest), bend};
 }
@@ -115,7 +115,7 @@ HWY_INLINE double exp_step(double c, double a, double b, double u, const FogLoss
                        (next + 4 * b) / 6, (next + 6 * b) / 24});
 }
 
-/// That of exp2 fog, (2 k + b) p(u) - 2 k u - c with k = a / (4 sqrt(u)).
+/// The function of exp2 fog, (2 k + b) p(u) - 2 k u - c with k = a / (4 sqrt(u)).
 HWY_INLINE double exp2_step(double c, double a, double b, double x, double u, const FogLoss& loss) {
   const double i = 1 / u, k = a / 4 * x * i;
   const double fog_factor = loss.fog_factor, opacity = loss.opacity.high, o = opacity * i, s = loss.bend * i;
