@@ -14,9 +14,8 @@ namespace litfog::bench {
 /// the light at its middle.
 double march_airlight(const test::AirlightCase& c, int steps);
 
-/// The same over that part of the ray which lies inside the lamp's sphere and, for a beam narrower than a half space,
-/// its cone: PlayCanvas 2.22's volumetric fog of local lights (github.com/playcanvas/engine/pull/9137), by default in
-/// 12 steps.
+/// Marches only the part of the ray inside the lamp's sphere and, for a beam narrower than a half space, its cone:
+/// PlayCanvas 2.22's volumetric fog of local lights (github.com/playcanvas/engine/pull/9137), by default in 12 steps.
 double march_lit_airlight(const test::AirlightCase& c, int steps);
 
 /// Miles Macklin 2010, "In-Scattering Demo", as engines copy it: the fog takes nothing on the way, neither to the eye

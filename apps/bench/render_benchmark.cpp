@@ -52,7 +52,7 @@ struct Trial {
   double over_legacy;                     // ratio of medians
   double over_two_light_legacy;           // ratio of medians
   std::optional<double> over_plain = {};  // ratio of medians; none where plain cannot hold the lights
-  /// Of a smaller picture; none of the unlit pass and of plain, which have no formulas.
+  /// Error of a smaller picture; none for the unlit pass and plain, which have no formulas.
   std::optional<measure::PictureError> error = {};
 };
 
@@ -105,7 +105,7 @@ std::vector<Technique> measured_techniques() {
   return techniques;
 }
 
-/// Those that are drawn in a setting.
+/// The techniques that a setting draws.
 std::vector<Technique> techniques_of(const Setting& setting) {
   std::vector<Technique> techniques{{&default_path(), render::FogLighting::peak}, legacy(), kPlain};
   const bool is_as_by_default = setting.skipping == render::Skipping::on && setting.samples == 4;

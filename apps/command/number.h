@@ -11,7 +11,7 @@ namespace litfog::command {
 /// Nothing for an empty text, white space, a leading +, hexadecimal, nan, trailing text, or a number beyond the type.
 std::optional<double> parse_number(std::string_view text);
 
-/// The same for an integer: decimal digits with an optional minus.
+/// Parses an integer: decimal digits with an optional minus.
 std::optional<int> parse_integer(std::string_view text);
 
 /// The parts of a text before, between and after its commas, one at least: "1,,2" has three.

@@ -10,7 +10,7 @@ namespace litfog::command {
 /// document may hold. Control characters become \x1b or \u0085, bytes that are no UTF-8 \xff, noncharacters \ufffe.
 std::string printable(std::string_view text);
 
-/// The same for a text of several lines: line feeds stay.
+/// printable() for a text of several lines: line feeds stay.
 std::string printable_lines(std::string_view text);
 
 }  // namespace litfog::command

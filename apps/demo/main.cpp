@@ -77,7 +77,7 @@ pixel, too little memory for the shadow maps, or no ffmpeg for --film; 4 output 
 /// One of the command's jobs. It has put its options on the command line and runs when that has been parsed.
 using Job = std::function<ExitStatus()>;
 
-/// Those that are named, or all that come with litfog.
+/// Paths of the scenes named, or of all that come with litfog.
 std::vector<std::string> scene_paths(std::vector<std::string> scenes) {
   if (scenes.empty()) scenes = scene::bundled_scenes();
   std::ranges::transform(scenes, scenes.begin(), drawing::scene_path);

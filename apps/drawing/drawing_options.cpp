@@ -59,7 +59,7 @@ std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {
   return names;
 }
 
-/// Of a path that takes neither airlight nor shadows.
+/// Why a path takes neither airlight nor shadows.
 const char* why_without_airlight(const render::LightingPath& path) {
   return path.evaluation == render::Evaluation::vertex ? "its lamps do not light each fragment"
                                                        : "it is as its paper prints it";

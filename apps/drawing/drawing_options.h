@@ -68,10 +68,10 @@ void add_fog_light(CLI::App& app, DrawingOptions& options);
 void add_shadows(CLI::App& app, DrawingOptions& options);
 void add_time(CLI::App& app, DrawingOptions& options);
 
-/// Of --fog none and --shadows: all there are for a job over every path.
+/// The rules of --fog none and --shadows, all rules there are for a job over every path.
 std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& options);
 
-/// Those, and the chosen path's.
+/// fog_and_shadow_rules(), and the chosen path's rules.
 std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options);
 
 /// Throws the usage error of a --size of more pixels than this. what: of which, "for a reference"

@@ -94,7 +94,7 @@ std::optional<double> ring_angle(const LightTarget& target) {
   return brightest->angle;
 }
 
-/// Of a lamp that lights both ways: the brightness of its second beam, a fraction of the first.
+/// The brightness of the second beam, as a fraction of the first, of a lamp that lights both ways.
 std::optional<double> second_beam(const LightTarget& target) {
   constexpr double kLeast = 0.25;  // fraction of the first beam
   if (!target.luminaire || (target.axis != kPhotometricAxis && target.axis != -kPhotometricAxis)) return std::nullopt;

@@ -12,7 +12,7 @@ using std::numbers::pi;
 /// The beam on both sides of the axis.
 using Plane = std::array<std::vector<AxialSample>, 2>;
 
-/// Of the samples that count.
+/// The profile of the samples with weight.
 std::vector<AxialSample> profile_of(const std::vector<ConeSample>& samples) {
   std::vector<AxialSample> profile;
   for (const ConeSample& sample : samples) {

@@ -53,7 +53,7 @@ struct Subject {
 
   /// A line's name in the key: of several lights, which colour tells apart, their own.
   std::string name(const std::string& line) const { return is_alone ? line : shortened(own_name, kMaxInKey); }
-  /// That of other lines in the light's colour.
+  /// The name of further lines in the light's colour.
   std::string second_name(const std::string& line) const { return is_alone ? line : ""; }
 };
 
@@ -119,7 +119,7 @@ std::vector<PlotPoint> range_targets(const AttenuationTarget& target) {
   return points;
 }
 
-/// Of several lights whose ends lie far apart, a logarithmic one, or the nearer would be lost at 0.
+/// The axis of ranges, logarithmic for lights whose ends lie far apart: otherwise the nearer would be lost at 0.
 command::Axis range_axis(const std::vector<Subject>& subjects) {
   constexpr double kFarApart = 30, kLeast = 0.01;  // multiples of the nearest end
   double nearest = std::numeric_limits<double>::infinity(), farthest = 0;
@@ -242,7 +242,7 @@ class Beam {
     return points;
   }
 
-  /// The same from -180 to 180 degrees.
+  /// A plane from -180 to 180 degrees.
   std::vector<PlotPoint> plane(double turn) const {
     std::vector<PlotPoint> points = half_plane(turn + pi);
     for (PlotPoint& point : points) point.x = -point.x;

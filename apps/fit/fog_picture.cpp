@@ -42,7 +42,7 @@ std::vector<EyeRay> rays_of_view() {
 
 std::uint16_t linear_level(double value) { return std::uint16_t(std::lround(65535 * std::clamp(value, 0.0, 1.0))); }
 
-/// Of linear pixels: the library makes them sRGB.
+/// The PNG of linear pixels, which the library converts to sRGB.
 std::string png_of(const std::vector<std::uint16_t>& pixels) {
   png_image image{};
   image.version = PNG_IMAGE_VERSION;
@@ -51,7 +51,7 @@ std::string png_of(const std::vector<std::uint16_t>& pixels) {
   image.format = PNG_FORMAT_LINEAR_RGB;
   png_alloc_size_t size = PNG_IMAGE_PNG_SIZE_MAX(image);
   std::string png(size, '\0');
-  // Of a sound picture, and room for any PNG of its size, only memory can be short.
+  // With a valid picture and room for any PNG of its size, only memory can be short.
   if (png_image_write_to_memory(&image, png.data(), &size, 1, pixels.data(), 0, nullptr) == 0) throw std::bad_alloc();
   png.resize(size);
   return png;

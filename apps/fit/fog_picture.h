@@ -10,7 +10,7 @@ namespace litfog::fit {
 
 /// Visibilities of the three views of a light in fog, metres.
 inline constexpr std::array<double, 3> kFogPictureVisibilities{1000, 200, 50};
-/// Of one view, in pixels; and how wide the world is there, metres, at the light.
+/// Size of one view, in pixels, and the width that it shows at the light, in metres.
 inline constexpr int kFogPictureWidth = 160;
 inline constexpr int kFogPictureHeight = 90;
 inline constexpr double kFogPictureMetres = 40;

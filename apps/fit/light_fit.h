@@ -25,9 +25,9 @@ struct LightFit {
   std::optional<Cookie> cookie;  ///< the beam, replaces the cone if the target chooses so
   /// Lumens of the light as it is written: its peak times the flux of its cone or cookie. Of a known peak.
   std::optional<double> flux;
-  /// Of that over the flux of the data, less 1: of the whole luminaire, or as a spec states it.
+  /// The light's flux over the data's, minus 1. The data's is the whole luminaire's, or as a spec states it.
   std::optional<double> flux_error;
-  /// Of a luminaire's light by its cone: its intensity over the luminaire's, less 1, where that has its largest.
+  /// Luminaires with a cone: the light's intensity over the luminaire's, minus 1, where the luminaire's is largest.
   std::optional<double> peak_error;
   bool is_proven() const;  ///< every fit is feasible, and shown to be the best
 };

@@ -80,9 +80,9 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices = {});
 /// take.
 LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices = {});
 
-/// The same of a luminaire that was read already.
+/// The target of a luminaire that was read already.
 ///
-/// path  of its file
+/// path  path of its file
 LightTarget target_of(Luminaire stated, const std::string& path, const FitChoices& choices = {});
 
 /// Whether a luminaire's photometric axis points down, as in files of type C, and not ahead.

@@ -26,7 +26,7 @@ struct Outcome {
 };
 
 /// Makes an outcome one without a light, by the exception that is being handled: every one is the input's own and names
-/// it, but for a usage error, which is thrown again.
+/// it, except a usage error, which is thrown again.
 void fail(Outcome& outcome);
 
 /// What remains of an outcome when the next input has its turn.

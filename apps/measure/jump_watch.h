@@ -14,11 +14,11 @@ class JumpWatch {
   /// model  has to outlive this
   explicit JumpWatch(const PathModel& model) : model_(model) {}
 
-  /// Of the light that a surface sends to the eye.
+  /// Whether the light that a surface sends to the eye jumps.
   bool is_at_jump(const SurfacePoint& point) const;
-  /// Of the fog before a position.
+  /// Whether the fog before a position jumps.
   bool is_at_jump(const Veil& veil, const glm::dvec3& position) const;
-  /// Of the fog before the sky in a direction, whose height decides on which side of the horizon it is. The fog's top
+  /// Whether the fog before the sky jumps in a direction, whose height decides the side of the horizon. The fog's top
   /// is `fog_above_eye` metres above the eye.
   bool is_at_fog_horizon(double fog_above_eye, const glm::dvec3& direction) const;
 

@@ -27,7 +27,7 @@ struct SurfacePoint {
   double vertex_moon_cosine;  ///< normal . moon direction at the vertices, interpolated
 };
 
-/// From a light to a position.
+/// A ray from a light to a position.
 struct LightRay {
   glm::dvec3 direction;  ///< unit
   double range;          ///< metres
@@ -79,7 +79,7 @@ class PathModel {
     return light.casts_shadows && shadows_->is_at_edge(light, point.position, point.normal);
   }
 
-  /// The same of the directional light.
+  /// Whether a point is in the directional light's shadow, or at its edge.
   bool is_in_moon_shadow(const SurfacePoint& point) const {
     return shadows_ && shadows_->is_dark_to_moon(point.position);
   }
@@ -104,7 +104,7 @@ class PathModel {
   static constexpr double kAirlightBudget = 1e-6;
 
  private:
-  /// That of a light of colour 1.
+  /// The airlight of a light of colour 1.
   double airlight(const ReferenceLight& light, const EyeRay& ray) const;
 
   const render::RenderSettings& settings_;

@@ -121,7 +121,7 @@ class ReferenceShading {
     mean.most += airlight;
   }
 
-  /// That of the pixel's ray to the distance of each sample.
+  /// The mean airlight along the pixel's ray up to the distance of each sample.
   glm::dvec3 mean_airlight(Samples samples, std::span<const double> seen, const glm::dvec3& direction) const {
     glm::dvec3 sum(0.0);
     for (std::size_t i = 0; i < samples.size(); ++i) {

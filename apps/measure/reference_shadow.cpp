@@ -35,7 +35,7 @@ double texel_width(const ReferenceLight& light, const glm::dvec3& from_lamp, dou
   return 2 / map_size * std::tan(half_angle) * seen.z;
 }
 
-/// Of rounding: where the surface is, along the ray.
+/// Rounding of the surface's position along the ray.
 double slack(const glm::dvec3& position, const glm::dvec3& from_lamp) {
   return kRounding * (glm::length(position) + glm::length(from_lamp));
 }

@@ -28,7 +28,7 @@ class ReferenceShadows {
   ///
   /// normal  of the surface, for positions beside every triangle; unit
   bool is_at_edge(const ReferenceLight& light, const glm::dvec3& position, const glm::dvec3& normal) const;
-  /// The same of the directional light.
+  /// The directional light's shadow, and its edges.
   bool is_dark_to_moon(const glm::dvec3& position) const;
   bool is_at_moon_edge(const glm::dvec3& position, const glm::dvec3& normal) const;
   /// The stretches of a ray from the eye on which a lamp's light reaches the fog: metres from the eye. What is

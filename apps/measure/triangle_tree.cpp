@@ -61,7 +61,7 @@ bool meets(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& orig
 
 }  // namespace
 
-/// Of a ray with a triangle.
+/// Where a ray crosses a triangle.
 struct TriangleTree::Crossing {
   double distance;  // metres along the ray
   double u, v;      // barycentric coordinates: weights of the second and of the third corner

@@ -264,7 +264,7 @@ std::shared_ptr<const scene::Texels> make_dents(NormalSpace space) {
       const glm::vec3 up = up_at((glm::vec2(column, row) + 0.5f) / glm::vec2(kSize));
       const glm::vec3 sines = glm::sin(kDents * up);
       const glm::vec3 cosines = glm::cos(kDents * up);
-      // Of the height sin x sin y sin z.
+      // Gradient of the height sin x sin y sin z.
       const glm::vec3 slope = kSlope * glm::vec3(cosines.x * sines.y * sines.z, sines.x * cosines.y * sines.z,
                                                  sines.x * sines.y * cosines.z);
       glm::vec3 normal = glm::normalize(up - slope + up * glm::dot(up, slope));

@@ -57,7 +57,7 @@ inline glm::dvec3 local_origin(const glm::dvec3& position) {
   return glm::round(position / kStep) * kStep;
 }
 
-/// The same camera as seen from an origin.
+/// The camera relative to an origin.
 inline Camera relative_to(const glm::dvec3& origin, Camera camera) {
   camera.position -= origin;
   camera.target -= origin;

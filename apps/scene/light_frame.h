@@ -17,7 +17,7 @@ struct Bearing {
   double azimuth = 0;
   double elevation = 0;
 };
-/// Of a direction in the world, to which a light without a viewpoint of its own points.
+/// The bearing of a direction in the world, to which a light without a viewpoint of its own points.
 ///
 /// direction  unit
 Bearing bearing_of(const glm::dvec3& direction);

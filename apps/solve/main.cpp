@@ -162,7 +162,7 @@ struct Header {
   std::size_t field_count;
 };
 
-/// A column that a header lacks. Semicolons in place of commas, or a slip in its name, are named.
+/// The error of a missing column. Names semicolons instead of commas, or a slip in the column's name.
 RowError missing_column(std::string_view name, const CsvRecord& record) {
   std::string sentence = fmt::format("column {}: must be given in the header", name);
   for (std::size_t i = 0; i < record.size(); ++i) {

@@ -13,7 +13,7 @@ namespace litfog::demo {
 struct PathResult {
   const render::LightingPath* path;
   double milliseconds;  ///< a frame, the median
-  double spread;        ///< of frame times, from the 10th to the 90th percentile
+  double spread;        ///< frame times from the 10th to the 90th percentile
   double over_legacy;   ///< milliseconds over the legacy path's
   double largest_error;
   double mean_error;

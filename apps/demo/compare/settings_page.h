@@ -11,7 +11,7 @@ namespace litfog::demo {
 struct SettingResult {
   std::string text;     ///< as given: "visibility=50 path=vertex"
   double milliseconds;  ///< a frame, the median
-  double spread;        ///< of frame times, from the 10th to the 90th percentile
+  double spread;        ///< frame times from the 10th to the 90th percentile
   std::string png;      ///< the picture as a file
 };
 

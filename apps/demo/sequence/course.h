@@ -45,7 +45,7 @@ struct Course {
 Course<double> parse_course(const std::string& option, const std::string& text, const command::NumberRule& rule,
                             Steps steps = Steps::even);
 
-/// The same for points X,Y,Z: one, or the two ends of a range.
+/// Parses a course of points X,Y,Z: one, or the two ends of a range.
 Course<glm::dvec3> parse_point_course(const std::string& option, const std::string& text);
 
 /// Whether a text of JSON, or a word, is meant as a list or range of numbers, right or wrong.

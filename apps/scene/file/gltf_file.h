@@ -70,7 +70,7 @@ class GltfFile {
   /// throws  InputError
   GltfNumbers numbers(const JsonValue& accessor_index, std::initializer_list<GltfType> types,
                       std::initializer_list<GltfComponent> components) const;
-  /// The same without its data, which are elsewhere.
+  /// numbers() without the data, which are elsewhere.
   GltfNumbers format(const JsonValue& accessor_index, std::initializer_list<GltfType> types,
                      std::initializer_list<GltfComponent> components) const;
   /// The bytes of a buffer view, decoded if they are compressed (EXT_meshopt_compression).

@@ -39,10 +39,10 @@ class GltfMaterials {
   /// throws  InputError
   const GltfMaterial& use(const JsonValue& primitive);
 
-  /// Those made.
+  /// The materials made.
   std::vector<Material> take() { return std::move(materials_); }
 
-  std::size_t occluded() const { return occluded_; }  ///< how many of them have an occlusion texture
+  std::size_t occluded() const { return occluded_; }  ///< number of materials with an occlusion texture
   /// The extensions that they have, known or not: files do not always list them in "extensionsUsed".
   const std::set<std::string>& extensions() const { return extensions_; }
 

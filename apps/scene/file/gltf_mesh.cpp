@@ -89,7 +89,7 @@ Attributes read_attributes(const GltfFile& file, const JsonValue& primitive, con
     return decoded ? *decoded : file.numbers(index, types, components);
   };
   Attributes attributes;
-  // Of all component types: those of KHR_mesh_quantization, too.
+  // Takes all component types, also those of KHR_mesh_quantization.
   attributes.positions = read("POSITION", given.member("POSITION"), {kGltfVec3},
                               {floating, signed_byte, unsigned_byte, signed_short, unsigned_short});
   const auto attribute = [&](const std::string& name, std::initializer_list<GltfType> types,
@@ -147,7 +147,7 @@ void read_vertices(const JsonValue& primitive, const Attributes& given, const Gl
   }
 }
 
-/// By the normal map's coordinates.
+/// Adds tangents by the normal map's coordinates.
 void give_tangents(Mesh& mesh) {
   const auto swap_uvs = [&mesh] {
     for (std::size_t i = 0; i < mesh.details.size(); ++i) std::swap(mesh.vertices[i].uv, mesh.details[i].normal_uv);

@@ -33,11 +33,11 @@ class GltfPicture {
   explicit GltfPicture(Texels texels, std::vector<std::uint8_t> alpha = {})
       : texels_(std::make_shared<const Texels>(std::move(texels))), alpha_(std::move(alpha)) {}
 
-  /// The same, sampled in another way.
+  /// This picture, sampled in another way.
   GltfPicture sampled(const Sampling& sampling) const;
 
   const std::shared_ptr<const Texels>& texels() const { return texels_; }
-  /// The same, their A the picture's alpha; counted when they are first asked for.
+  /// The texels with the picture's alpha as A; counted when first asked for.
   ///
   /// owner   what uses the picture, for the error's location
   /// throws  InputError

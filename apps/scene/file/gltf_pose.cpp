@@ -20,7 +20,7 @@ GltfPosing::GltfPosing(const GltfFile& file, const JsonValue& primitive, const G
     const auto displacements = [&](const char* name) {
       const auto index = targets[i].optional(name);
       if (!index) return GltfNumbers{};
-      // Of all component types: those of KHR_mesh_quantization, too.
+      // Takes all component types, also those of KHR_mesh_quantization.
       const GltfNumbers given = file.numbers(*index, {kGltfVec3}, {floating, signed_byte, signed_short});
       if (given.count != vertex_count) index->fail("must have as many elements as POSITION");
       return given;

@@ -101,9 +101,9 @@ class GltfReader {
   }
 
  private:
-  /// By the directional light, beside the night. Isotropic fog without end scatters E / 4 pi of E lx into the eye,
-  /// single scattering, and so does the horizon; the zenith keeps the night's ratio to it. Surfaces see the mean of
-  /// both.
+  /// Lights fog and sky by the directional light, beside the night. Isotropic fog without end scatters E / 4 pi of E lx
+  /// into the eye, single scattering, and so does the horizon; the zenith keeps the night's ratio to it. Surfaces see
+  /// the mean of both.
   void light_fog_and_sky() {
     Environment& environment = scene_.environment;
     const glm::vec3 scattered = environment.moon_color / 4.0f;
@@ -141,7 +141,7 @@ class GltfReader {
     return std::ranges::find(kKnownExtensions, extension) != std::end(kKnownExtensions);
   }
 
-  /// Of the file, in words.
+  /// What was left out of the file, as text.
   std::string left_out() const {
     std::vector<std::string> parts;
     const auto add = [&parts](std::size_t count, std::string_view one, std::string_view many) {

@@ -46,7 +46,7 @@ constexpr double kMaxDensityScale = 1e6;
 
 const std::vector<std::string_view> kLightEntryMembers{
     "light", "position", "aim", "direction", "mount", "color", "cookie", "turn_deg_per_s", "carried", "repeat"};
-/// Those that a change may name without ".light".
+/// A light's members that a change may name without ".light".
 const std::vector<std::string_view> kMembersOfTheLight{"attenuation", "threshold", "cone", "density_scale"};
 
 bool is_color(const glm::dvec3& color) {
@@ -61,7 +61,7 @@ bool is_position(const glm::dvec3& position) {
 }
 const std::string kPositionRule = fmt::format("must have coordinates in [{}, {}]", -kMaxCoordinate, kMaxCoordinate);
 
-/// The same path for a file, however it is spelled.
+/// One path for a file, however its path is spelled.
 std::filesystem::path canonical_path(const std::filesystem::path& path) {
   std::error_code error;
   const auto found = std::filesystem::weakly_canonical(path, error);

@@ -35,7 +35,7 @@ struct BrightPane {
   glm::vec3 normal;  ///< out of the house
   bool is_shop;
 };
-/// Those of the model with the same parameters.
+/// The bright panes of the model with the same parameters.
 std::vector<BrightPane> bright_panes(const ApartmentHouse& house);
 
 }  // namespace litfog::scene

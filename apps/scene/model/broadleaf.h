@@ -26,7 +26,7 @@ struct BroadleafTree {
 };
 Model make_broadleaf_tree(const BroadleafTree& tree);
 
-/// The same without a trunk: stems from the ground.
+/// A broadleaf without a trunk: stems from the ground.
 struct Bush {
   float height_m = 1.4f;
   float leaves = 0.8f;

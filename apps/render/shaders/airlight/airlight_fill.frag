@@ -18,7 +18,7 @@ layout(location = 1) out vec4 gain;
 // Limits. Changes are of opacity, at 0 EV; all others are of the display's range, where a step is about 0.004.
 const float max_opacity_change = 0.03;        // within the pixel, or between the pixel and a texel of the grid
 const float max_extrapolated_change = 0.003;  // from both texels, where their opacities do not enclose the pixel's
-const float max_error = 0.0005;               // of interpolation: an eighth of a step
+const float max_error = 0.0005;               // by interpolation: an eighth of a step
 const float max_correction = 0.004;           // from a straight line to the polynomial
 const float max_depth_correction = 0.016;     // from a texel's depth to the pixel's
 

@@ -14,7 +14,7 @@
 #include "scene.glsl"
 #include "vertex.glsl"
 
-// In tangent space, from the vertex.
+// Vectors from the vertex, in tangent space.
 out vec3 to_viewer;
 out vec3 to_moon;
 out vec3 to_light[batch_size];

@@ -64,13 +64,13 @@ float shadow_of(int caster_index) {
   return mean_of_taps(caster, map, a, range, slope, bias);
 }
 
-// Of light i of the pass.
+// Fraction of the pass's light i that reaches the fragment.
 float lamp_shadow(int i) { return shadow_of(uniform_casters[first_light_in_pass + i]); }
-// Of a light in the tables.
+// Fraction of a light in the tables that reaches the fragment.
 float listed_lamp_shadow(int light) { return shadow_of(texelFetch(caster_of_light, light).x); }
 
-// Of the directional light, by the finest map that shows the fragment. Along a parallel map a plane's slope is the same
-// everywhere.
+// Fraction of the directional light, by the finest map that shows the fragment. Along a parallel map a plane's slope is
+// the same everywhere.
 float moon_shadow() {
   if (!has_moon) return 1.0;
   vec3 position = fragment_position();

@@ -11,7 +11,7 @@ struct ShadowCaster {
   vec3 position;
   mat3 frame_from_world;
   bool is_cube;
-  float half_size;  // of a map, a metre before the lamp; of the directional light's, metres
+  float half_size;  // half a map's side, a metre before the lamp; directional light: metres
   float reach;
   int first_layer;
 };

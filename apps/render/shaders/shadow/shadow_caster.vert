@@ -11,7 +11,7 @@ uniform mat4 world_from_model;
 uniform mat4 frame_from_world;  // its rotation
 uniform vec3 lamp_position;
 uniform int map;
-uniform float half_size;   // of the map, a metre before the lamp
+uniform float half_size;   // half the map's side, a metre before the lamp
 uniform float near_plane;  // metres
 uniform bool is_parallel;  // the directional light's, whose half_size is in metres
 uniform float reach;       // metres
