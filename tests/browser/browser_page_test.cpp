@@ -52,7 +52,7 @@ scene::Scene painted_street(Textures textures) {
   return street;
 }
 
-/// The same in the page.
+/// Makes the page upload the first texel of each texture alone.
 constexpr const char* kFirstTexelScript = R"(
   const upload = WebGL2RenderingContext.prototype.texImage2D;
   WebGL2RenderingContext.prototype.texImage2D = function(target, level, format, width, height, ...rest) {

@@ -266,7 +266,7 @@ TEST(Airlight, ReferenceIsTheDefinitionByAnotherQuadrature) {
           AirlightCase c = is_spot ? draw_spot_airlight_case(random, mode, leg) : draw_airlight_case(random, mode, leg);
           if (i % 2 == 0) c.atmosphere.phase.asymmetry = random.uniform(-0.99, 0.99);
           const double expected = double(Definition(c).integral());
-          // Of spots 1e-13 may be rounding at the edge of a cone; dimmer points than 1e-60 lie beyond the integral's
+          // A spot's 1e-13 may be rounding at the edge of a cone; dimmer points than 1e-60 lie beyond the integral's
           // end.
           if (expected < (is_spot ? 1e-13 : 1e-60)) continue;
           error.add(relative_error(reference_of(c), expected), [&] { return to_string(c); });

@@ -954,7 +954,7 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
        "--set lights[0].threshold=0.3 --set lights[1].carried=false --camera 1,1,6"},
       {"--camera 0,1,5..2,1,5 --target 0,1,0..2,1,0 --fov-deg 40..60",  // the carried lamp moves by 2 m
        "--camera 2,1,5 --target 2,1,0 --fov-deg 60 --set lights[1].position[0]=3"},
-      {"--camera 0,1,5..2,1,5 --set camera.target[0]=0..2",  // likewise
+      {"--camera 0,1,5..2,1,5 --set camera.target[0]=0..2",  // the carried lamp moves by 2 m
        "--camera 2,1,5 --target 2,1,0 --set lights[1].position[0]=3"},
       {"--set lights[0].attenuation.quadratic=0.1..9 --set lights[1].position[1]=1..2",
        "--set lights[0].attenuation.quadratic=9 --set lights[1].position[1]=2"},

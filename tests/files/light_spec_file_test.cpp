@@ -19,7 +19,7 @@ using std::numbers::pi;
 
 class LightSpecFile : public testing::Test {
  protected:
-  /// Of a file whose second line holds these members.
+  /// The spec of a file whose second line holds these members.
   LightSpec read(const std::string& members) const {
     const auto path = directory_.path() / "f.json";
     std::ofstream(path) << "{\"litfog\": \"light-spec\", \"version\": 1,\n" << members << "}";

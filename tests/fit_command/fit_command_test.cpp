@@ -189,7 +189,7 @@ TEST_F(FitCommand, ProfileOptionWinsOverTheSpecs) {
 }
 
 TEST_F(FitCommand, RobustFitLeavesAnOutlierAside) {
-  // C = 1, L = 0.01, Q = 0.001 but for one sample.
+  // C = 1, L = 0.01, Q = 0.001 except for one sample.
   std::string samples;
   for (int range = 5; range <= 60; range += 5) {
     const double value = range == 30 ? 0.9 : 1 / (1 + 0.01 * range + 0.001 * range * range);

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 using std::numbers::pi;
 
-/// Of the midpoint rules below.
+/// Largest relative error of the midpoint rules below.
 constexpr double kIntegralMaxError = 0.005;
 
 /// Flux of a shape over the sphere, about its axis or its poles.
@@ -121,7 +121,7 @@ class LightFlux : public CommandTest {
     EXPECT_NEAR(value, expected, tolerance * std::abs(expected));
   }
 
-  /// By its cone and by its cookie, of the flux of the file or of a spec's.
+  /// Expects the light by its cone and by its cookie to have the flux of the file or spec.
   void expect_fluxes(const std::string& input, double file_flux) const {
     SCOPED_TRACE(input);
     const json by_cone = report_on(input);

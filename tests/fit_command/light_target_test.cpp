@@ -59,7 +59,7 @@ class LightTargetFile : public testing::Test {
     return "(accepted)";
   }
 
-  /// Of a spec whose second line is one member.
+  /// The error of a spec whose second line is one member.
   std::string error_with(const std::string& member) const {
     return error_of("{\"litfog\": \"light-spec\", \"version\": 1,\n" + member + "}");
   }

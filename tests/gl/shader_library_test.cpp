@@ -28,7 +28,7 @@ TEST(ShaderLibrary, LibraryHoldsTheInstalledFiles) {
   EXPECT_EQ(names, expected);
 }
 
-// Of each macro defined, and each type, function, block, variable and constant declared outside braces.
+// Covers each macro defined, and each type, function, block, variable and constant declared outside braces.
 TEST(ShaderLibrary, EveryNameBeginsWithLitfog) {
   const std::regex declaration(
       R"((?:^|\n)(?:#define (\w+)|(?:layout\([^)]*\) )?(?!precision|layout)[a-zA-Z]\w*(?: \w+)*? (\w+) ?[({;=\[]))");

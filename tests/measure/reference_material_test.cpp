@@ -131,7 +131,7 @@ void expect_colors(const Scene& scene, std::string_view path, const Expected& ex
         const double through = fog_factor_at(fog, glm::distance(place, eye));
         const glm::dvec3 sky = std::isinf(visibility) ? glm::dvec3(0) : glm::dvec3(kFogColor);
         const glm::dvec3 seen = color ? glm::mix(glm::dvec3(kFogColor), *color, through) : sky;
-        // Of half floats and of the driver's sRGB, both relative.
+        // Relative rounding of half floats and of the driver's sRGB.
         ASSERT_LT(glm::distance(pixel(picture, x, y), seen), 3e-3 * (1 + glm::length(seen)))
             << path << " " << visibility << " " << x << " " << y;
         ++compared;

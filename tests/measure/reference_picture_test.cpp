@@ -227,8 +227,8 @@ struct PathBound {
   double mean;
 };
 
-/// Of a formula at each fragment what is left is the framebuffer's half floats. Where they are coarsest on the display,
-/// at 0.5, their last place is 2^-11, which is 0.082 steps there; samples and their mean are rounded, by some drivers
+/// A formula at each fragment errs by the framebuffer's half floats alone. Where they are coarsest on the display, at
+/// 0.5, their last place is 2^-11, which is 0.082 steps there; samples and their mean are rounded, by some drivers
 /// towards zero: 0.164.
 constexpr PathBound kFragmentBound{0.25, 0.05};
 /// A look-up lies between the light's values at the texels around it (LookupBounds), 128 a side. Beyond that, the
@@ -352,7 +352,7 @@ PictureError error_in(Renderer& renderer, const Fog& fog) {
 TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) {
   const std::string& name = GetParam();
   const Scene scene = read_scene(bundled_scene_path(name));
-  // Of more than a thousand lamps each takes an integral a pixel, and a cookie takes one a texel.
+  // Each of more than a thousand lamps takes an integral a pixel, and a cookie takes one a texel.
   const int height = scene.lights.size() > 100 || !scene.cookies.empty() ? 12 : 45;
   constexpr double kClear = std::numeric_limits<double>::infinity();
   Renderer renderer(scene, height * 16 / 9, height, by_airlight());

@@ -170,7 +170,7 @@ inline AirlightCase draw_spot_airlight_case(Random& random, FogMode mode, LampLe
 }
 
 /// Where a ray meets a lamp by coincidence: the eye or the ray's end on its cone, knee or extent, or in the lamp
-/// itself, but for nothing or a few ulp; cones of 45, 60, 90 and 180 degrees and others, in radians of doubles or of
+/// itself, exactly or except for a few ulp; cones of 45, 60, 90 and 180 degrees and others, in radians of doubles or of
 /// floats; rays along an axis of the world, of the lamp, across it or anywhere.
 inline AirlightCase draw_coincident_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
   constexpr double kDegree = std::numbers::pi / 180;

@@ -201,8 +201,8 @@ class LightingPathPixels : public test::GlTest {
 constexpr double kHalfFloat = 0x1p-10;
 
 /// What a light's look-up may be wrong by, of its colour. Range: h^2 / 8 times the second derivatives of
-/// 1 / (1 + 19 r^2) or r^2, h = 2 / 127 (see light_map_test.cpp). Cone: likewise, h = 2 tan(half angle) / 127 and the
-/// second derivative of a smoothstep over the cone's edge, at most 6 / width^2, along both axes.
+/// 1 / (1 + 19 r^2) or r^2, h = 2 / 127 (see light_map_test.cpp). Cone: in the same way, h = 2 tan(half angle) / 127
+/// and the second derivative of a smoothstep over the cone's edge, at most 6 / width^2, along both axes.
 double lookup_bound(const LightingPath& path, const Light& light) {
   const double h = 2.0 / 127;
   const double range = h * h / 8 * (path.range == RangeLaw::radial ? 6 : 6 * 19);

@@ -661,7 +661,7 @@ TEST_F(RendererTest, LightsHaveNoEndOnSurfacesByAirlightButOfMapsOneThatMovesOut
   EXPECT_EQ(corner_at(by_peak, 5.5), 0) << "the papers' lights end at their own thresholds";
 }
 
-// Flat normals have a shader of their own; a bumpy map of scale 0 has not.
+// Flat normals have a shader of their own; a bumpy map of scale 0 does not.
 TEST_F(RendererTest, FlatNormalsGiveThePictureOfAMapWithoutScaleByEveryPath) {
   Scene scene = lamp_over_floor();
   Material& material = scene.materials[0];

@@ -406,7 +406,7 @@ TEST_F(GltfFeature, MorphTargetsDisplaceByTheirWeights) {
   EXPECT_EQ(mesh_of(read_file()).vertices[3].position, glm::vec3(-10, 0, 10));
   file_["meshes"][0]["weights"] = {0.5, 0};
   EXPECT_EQ(mesh_of(read_file()).vertices[3].position, glm::vec3(-10, 1, 10));
-  file_["nodes"][0]["weights"] = {0, 1};  // in place of the mesh's
+  file_["nodes"][0]["weights"] = {0, 1};  // instead of the mesh's
   file_["nodes"].push_back({{"mesh", 0}, {"translation", {0, 5, 0}}});
   file_["scenes"][0]["nodes"].push_back(3);
   const Scene scene = read_file();

@@ -49,7 +49,7 @@ TEST(CommandLine, OptionsWithoutEffectAreLeftOut) {
 
   command = {.scene = "room"};
   command.options.render.path = render::find_lighting_path("vertex");
-  command.options.fog_light = render::FogLighting::airlight;  // which the path has not
+  command.options.fog_light = render::FogLighting::airlight;  // which the path lacks
   command.options.render.shadows = render::Shadows::surfaces;
   command.options.phase = Phase{0.5};
   command.options.render.is_flat_shaded = true;
