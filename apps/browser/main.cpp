@@ -5,7 +5,6 @@
 #include <emscripten/emscripten.h>
 #include <emscripten/html5.h>
 #include <epoxy/gl.h>
-#include <fmt/format.h>
 
 #include <array>
 #include <cmath>
@@ -218,18 +217,20 @@ EMSCRIPTEN_KEEPALIVE const char* page_set_lamp(int lamp, double red, double gree
 /// [{"name": "x", "parameters": [{"file": "x_deg", "label": "X", "isAngle": true, "ends": [0, 90], "first": 30}]}].
 EMSCRIPTEN_KEEPALIVE const char* page_profiles() {
   static std::string text;
-  std::vector<std::string> profiles;
+  text = "[";
   for (const ConeProfileFacts& facts : kConeProfiles) {
-    std::vector<std::string> parameters;
+    text.append(text == "[" ? "" : ", ").append(R"({"name": ")").append(facts.name).append(R"(", "parameters": [)");
     for (const ConeParameter& each : facts.parameters) {
       const double first = facts.first.*each.member;
-      parameters.push_back(fmt::format(
-          R"({{"file": "{}", "label": "{}", "isAngle": {}, "ends": [{}], "first": {:.4g}}})", each.file_name,
-          each.label, each.is_angle, fmt::join(each.control, ", "), each.is_angle ? glm::degrees(first) : first));
+      text.append(&each == facts.parameters.data() ? "" : ", ");
+      text.append(R"({"file": ")").append(each.file_name).append(R"(", "label": ")").append(each.label);
+      text.append(R"(", "isAngle": )").append(each.is_angle ? "true" : "false").append(R"(, "ends": [)");
+      text.append(std::to_string(each.control[0])).append(", ").append(std::to_string(each.control[1]));
+      text.append(R"(], "first": )").append(std::to_string(each.is_angle ? glm::degrees(first) : first)).append("}");
     }
-    profiles.push_back(fmt::format(R"({{"name": "{}", "parameters": [{}]}})", facts.name, fmt::join(parameters, ", ")));
+    text.append("]}");
   }
-  text = fmt::format("[{}]", fmt::join(profiles, ", "));
+  text.append("]");
   return text.c_str();
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is the same all over a draw: uniforms, because GLSL ES has no globals made of others.
+// What is the same all over a draw, in place of the renderer's file: GLSL ES has no globals made of uniforms.
 
 uniform vec3 eye;
 uniform vec3 bounds_low;  // of the surface drawn

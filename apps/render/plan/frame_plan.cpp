@@ -110,8 +110,8 @@ double FramePlanner::hidden_range_of(std::size_t index) {
     brightness += strength;
   }
   const double fog = largest_component(atmosphere_.ambient_fog_color);
-  foggy = {fog_number_, float(hidden_range(atmosphere_.fog, brightness + fog, kHiddenShare * step_))};
-  return double(foggy.hidden_range);
+  state = {fog_number_, float(hidden_range(atmosphere_.fog, brightness + fog, kHiddenShare * step_))};
+  return double(state.hidden_range);
 }
 
 PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out) {

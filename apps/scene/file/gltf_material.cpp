@@ -19,13 +19,13 @@ constexpr double kBlendCutoff = 0.5;  // from which blended materials cast shado
 
 /// Exporters that convert between colour spaces write 1.00016. A quarter of a step of 8 bits in sRGB more than 1 shows
 /// on no display.
-constexpr double kMaxColor = 1 + 1.0 / 510;
+constexpr double kMaxReflectance = 1 + 1.0 / 510;
 
 /// A colour of `size` numbers.
 std::vector<double> color_of(const JsonValue& value, std::size_t size) {
   std::vector<double> color = numbers(value, size);
   for (double& x : color) {
-    if (!(x >= 0 && x <= kMaxColor)) value.fail(fmt::format("must be {} numbers in [0, 1]", size));
+    if (!(x >= 0 && x <= kMaxReflectance)) value.fail(fmt::format("must be {} numbers in [0, 1]", size));
     x = std::min(x, 1.0);
   }
   return color;

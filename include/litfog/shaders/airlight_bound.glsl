@@ -7,6 +7,7 @@
 #define LITFOG_AIRLIGHT_BOUND_GLSL
 
 #ifndef __cplusplus
+#include "litfog/shaders/expm1.glsl"
 #define LITFOG_REAL float
 #define LITFOG_FUNCTION
 #endif
