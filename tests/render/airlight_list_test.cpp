@@ -43,7 +43,7 @@ TEST(AirlightList, LightsThatTheFogHidesAreLeftOut) {
     const Fog fog{mode, 0.1};
     EXPECT_EQ(list(lamp({0, 0, -20}), {fog}, {}).entries.size(), 1u);
     EXPECT_TRUE(list(lamp({0, 0, -400}), {fog}, {}).entries.empty());
-    EXPECT_TRUE(list(lamp({0, 0, -20}), {mode, 0}, {}).entries.empty()) << "clear air";
+    EXPECT_TRUE(list(lamp({0, 0, -20}), {{mode, 0}}, {}).entries.empty()) << "clear air";
   }
 }
 
@@ -141,7 +141,7 @@ TEST(AirlightList, LightsAtTheEyeAndWithoutAnEndHaveFiniteNumbers) {
   PlacedLight endless = lamp({0, 0, -20});
   endless.light.attenuation = {2, 0, 0};
   for (const PlacedLight& light : {lamp({0, 0, 0}), endless}) {
-    const AirlightList found = list(light, {FogMode::exp, 0.01}, {});
+    const AirlightList found = list(light, {{FogMode::exp, 0.01}}, {});
     ASSERT_EQ(found.entries.size(), 1u);
     const AirlightEntry& entry = found.entries.front();
     EXPECT_LE(entry.reach, 1e9f);
