@@ -481,7 +481,7 @@ LITFOG_API litfog_status litfog_light_clusters_lists(const litfog_light_clusters
 // --- shaders (litfog/shaders/*.glsl), embedded in the library ---
 
 typedef struct litfog_shader_text {
-  const char* name;  ///< as in an #include line: "litfog/shaders/fog.glsl"
+  const char* name;  ///< as shaders include it: "litfog/shaders/fog.glsl"
   const char* text;
 } litfog_shader_text;
 
