@@ -7,7 +7,8 @@
 // - Depths first, its own choice. Both halves of a block are shaded, even one that a small triangle does not touch. With
 //   GL_ARB_post_depth_coverage a shader can tell hidden fragments, and end its loops early.
 // - Depths late (TESTS_DEPTH_LATE), if a shader writes the stencil's reference. Hidden fragments are shaded, but halves
-//   that a triangle does not touch are not.
+//   that a triangle does not touch are not. Without it a frame by `unified` and peak takes 1.1 (room) to 1.2
+//   (headlights) times as long, 960 x 540 with four samples.
 // No fragment of a mask or pane counts as hidden: a mask's depth is tested after its texture, and panes lie in front of
 // each other.
 
