@@ -108,7 +108,7 @@ TEST(ConeProfiles, EveryProfileIsWhatItsFactsSay) {
       Cone wrong = cone;
       wrong.*parameter.member = kNan;
       ASSERT_TRUE(find_error(wrong)) << parameter.field;
-      EXPECT_EQ(find_error(wrong)->rule, parameter.rule);
+      EXPECT_STREQ(find_error(wrong)->rule, parameter.rule);
       wrong.*parameter.member = parameter.most + 1e-3;
       EXPECT_TRUE(find_error(wrong)) << parameter.field;
     }
