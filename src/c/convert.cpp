@@ -37,7 +37,8 @@ Light light(const litfog_light* light) {
           .attenuation = to_cpp(light->attenuation),
           .threshold = light->threshold,
           .cone = to_cpp(light->cone),
-          .density_scale = light->density_scale};
+          .density_scale = light->density_scale,
+          .source_radius = light->source_radius};
 }
 
 PlacedLight placed_light(const litfog_placed_light* placed) {

@@ -24,6 +24,7 @@ litfog_light c::light_of(const Light& light) {
   result.threshold = light.threshold;
   result.cone = to_c<litfog_cone>(light.cone);
   result.density_scale = light.density_scale;
+  result.source_radius = light.source_radius;
   return result;
 }
 
@@ -46,6 +47,14 @@ litfog_status litfog_default_placed_light(litfog_placed_light* light) {
     result.carried = placed.carried;
     c::at(light, "light") = result;
   });
+}
+
+litfog_status litfog_photometric(const litfog_light* light, litfog_light* result) {
+  return c::call([&] { c::at(result, "photometric") = c::light_of(photometric(c::light(light))); });
+}
+
+litfog_status litfog_candela(const litfog_light* light, double* result) {
+  return c::call([&] { write(candela(c::light(light)), &c::at(result, "candela")); });
 }
 
 litfog_status litfog_check_fog(const litfog_fog* fog) {

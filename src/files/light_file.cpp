@@ -63,6 +63,7 @@ std::string cone_json(const Cone& cone) {
 void fail_light(const JsonValue& light, const ValueError& error) {
   std::string path = error.field;
   std::string_view rule = error.rule;
+  if (path == "source_radius") path = "source_radius_m";
   for (const ConeProfileFacts& facts : kConeProfiles) {
     for (const ConeParameter& parameter : facts.parameters) {
       if (error.field != std::string_view(parameter.field)) continue;
@@ -87,8 +88,8 @@ void fail_light(const JsonValue& light, const ValueError& error) {
 }
 
 Light parse_light(const JsonValue& value) {
-  value.allow_only(
-      {"litfog", "version", "name", "source", "color", "attenuation", "threshold", "cone", "density_scale", "fit"});
+  value.allow_only({"litfog", "version", "name", "source", "color", "attenuation", "threshold", "cone", "density_scale",
+                    "source_radius_m", "fit"});
   if (value.optional("litfog") || value.optional("version")) expect_header(value, "light", 1);
   if (const auto source = value.optional("source")) check_source(*source);
 
@@ -102,6 +103,7 @@ Light parse_light(const JsonValue& value) {
   light.threshold = value.number_or("threshold", light.threshold);
   if (const auto cone = value.optional("cone")) light.cone = parse_cone(*cone);
   light.density_scale = value.number_or("density_scale", light.density_scale);
+  light.source_radius = value.number_or("source_radius_m", light.source_radius);
 
   if (const auto error = find_error(light)) fail_light(value, *error);
   return light;
@@ -132,6 +134,7 @@ std::string format_light(const Light& light, const std::vector<std::string>& sou
   members.push_back(fmt::format("\"threshold\": {}", light.threshold));
   if (!light.cone.is_point_light()) members.push_back("\"cone\": " + files::cone_json(light.cone));
   if (light.density_scale != 1) members.push_back(fmt::format("\"density_scale\": {}", light.density_scale));
+  if (light.source_radius != 0) members.push_back(fmt::format("\"source_radius_m\": {}", light.source_radius));
   if (!fit.empty()) members.push_back(fmt::format("\"fit\": {}", fit));
   return files::json_object(members) + "\n";
 }

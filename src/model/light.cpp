@@ -1,9 +1,37 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/light.h"
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
 #include "require.h"
 
 namespace litfog {
+namespace {
+
+/// The attenuation's denominator that the source radius adds at the lamp, Q R^2.
+double denominator_of_source(const Light& light) {
+  return light.attenuation.quadratic * light.source_radius * light.source_radius;
+}
+
+/// Needs find_error of all else to be nothing.
+std::optional<ValueError> find_source_radius_error(const Light& light) {
+  const auto wrong = [&](const char* rule) { return ValueError{"source_radius", light.source_radius, rule}; };
+  if (!is_finite_and_not_negative(light.source_radius)) return wrong("must be finite and >= 0");
+  if (light.source_radius == 0) return std::nullopt;
+  if (light.attenuation.quadratic == 0) return wrong("must be 0 where attenuation.quadratic is 0");
+  const double source = denominator_of_source(light);
+  if (!(source <= light.attenuation.constant)) return wrong("must be <= sqrt(attenuation.constant / quadratic)");
+  const bool is_in_range = std::isnormal(light.threshold * source) && std::isnormal(source) &&
+                           std::isfinite(1 / (light.source_radius * light.source_radius)) &&
+                           std::isfinite(light.attenuation.linear / source) &&
+                           std::isfinite(std::max({light.color.r, light.color.g, light.color.b}) / source);
+  if (!is_in_range) return wrong("must leave color / (attenuation.quadratic source_radius^2) finite");
+  return std::nullopt;
+}
+
+}  // namespace
 
 std::optional<ValueError> find_error(const Light& light) {
   if (const auto error = check_color(light.color, {"color.r", "color.g", "color.b"})) return error;
@@ -12,7 +40,30 @@ std::optional<ValueError> find_error(const Light& light) {
   }
   if (const auto error = find_error(light.attenuation)) return error;
   if (const auto error = find_threshold_error(light.threshold)) return error;
-  return find_error(light.cone);
+  if (const auto error = find_error(light.cone)) return error;
+  return find_source_radius_error(light);
+}
+
+Light photometric(const Light& light) {
+  require(find_error(light));
+  if (light.source_radius == 0) return light;
+  const double source = denominator_of_source(light);
+  Light result = light;
+  result.source_radius = 0;
+  result.color /= source;
+  result.attenuation = {1, light.attenuation.linear / source, 1 / (light.source_radius * light.source_radius)};
+  result.threshold *= source;
+  if (result.threshold >= 1) {
+    result.color = glm::dvec3(0);
+    result.threshold = light.threshold;
+  }
+  return result;
+}
+
+glm::dvec3 candela(const Light& light) {
+  require(find_error(light));
+  if (light.attenuation.quadratic == 0) return glm::dvec3(std::numeric_limits<double>::infinity());
+  return kWhiteLux * light.color / light.attenuation.quadratic;
 }
 
 std::optional<ValueError> find_error(const PlacedLight& placed) {

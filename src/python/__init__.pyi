@@ -124,6 +124,7 @@ class Light:
     threshold: float
     cone: Cone
     density_scale: float
+    source_radius: float
     def __init__(
         self,
         name: str = "",
@@ -132,7 +133,11 @@ class Light:
         threshold: float = ...,
         cone: Cone = ...,
         density_scale: float = 1.0,
+        source_radius: float = 0.0,
     ) -> None: ...
+
+def photometric(light: Light) -> Light: ...
+def candela(light: Light) -> Sequence[float]: ...
 
 class PlacedLight:
     light: Light

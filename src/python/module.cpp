@@ -490,19 +490,26 @@ void bind_lights(py::module_& m) {
   py::class_<Light> light(m, "Light", "A kind of light: what a light file holds.");
   light
       .def(py::init([](std::string name, const glm::dvec3& color, const Attenuation& falloff, double threshold,
-                       const Cone& shape, double density_scale) {
-             return Light{std::move(name), color, falloff, threshold, shape, density_scale};
+                       const Cone& shape, double density_scale, double source_radius) {
+             return Light{std::move(name), color, falloff, threshold, shape, density_scale, source_radius};
            }),
            py::arg("name") = "", py::arg("color") = glm::dvec3(1), py::arg("attenuation") = Attenuation(),
-           py::arg("threshold") = kDefaultThreshold, py::arg("cone") = Cone(), py::arg("density_scale") = 1.)
+           py::arg("threshold") = kDefaultThreshold, py::arg("cone") = Cone(), py::arg("density_scale") = 1.,
+           py::arg("source_radius") = 0.)
       .def_readwrite("name", &Light::name, "UTF-8")
       .def_readwrite("color", &Light::color, "linear RGB, finite, >= 0; 1 is the display's white")
       .def_readwrite("attenuation", &Light::attenuation, "Attenuation")
       .def_readwrite("threshold", &Light::threshold, "(0, 1): attenuation at which the light ends")
       .def_readwrite("cone", &Light::cone, "Cone")
       .def_readwrite("density_scale", &Light::density_scale,
-                     "finite, >= 0: its class sees this fraction of the fog's density");
-  make_record(light, {"name", "color", "attenuation", "threshold", "cone", "density_scale"});
+                     "finite, >= 0: its class sees this fraction of the fog's density")
+      .def_readwrite("source_radius", &Light::source_radius,
+                     "metres: radius of the lamp's luminous disc for photometric(); 0: none is known");
+  make_record(light, {"name", "color", "attenuation", "threshold", "cone", "density_scale", "source_radius"});
+  m.def("photometric", &photometric, py::arg("light"),
+        "The light as it is near the lamp, a disc of its source radius, without the clamp of its range attenuation.");
+  m.def("candela", &candela, py::arg("light"),
+        "The light's far intensity on its axis in candela, a component a colour; infinite without a quadratic term.");
 
   py::class_<PlacedLight> placed(m, "PlacedLight", "A light in a scene. World space, metres.");
   placed

@@ -44,6 +44,7 @@ Twins random_twins(Random& random) {
   light.attenuation = {random.uniform(0.1, 2), random.log_uniform(1e-4, 1), random.log_uniform(1e-6, 1)};
   light.threshold = random.uniform(0.01, 0.2);
   light.density_scale = random.uniform(0.2, 2);
+  light.source_radius = random.chance(0.5) ? 0 : random.uniform(0.01, 0.3);
   light.cone = random.pick(std::array{Cone{}, Cone::cosine(random.uniform(0.1, 1.5), random.uniform(0, 50)),
                                       Cone::smoothstep(random.uniform(0, 0.4), random.uniform(0.5, 3))});
   placed.position = {random.uniform(-50, 50), random.uniform(-50, 50), random.uniform(-50, 50)};
@@ -55,7 +56,8 @@ Twins random_twins(Random& random) {
             {light.attenuation.constant, light.attenuation.linear, light.attenuation.quadratic},
             light.threshold,
             {int(cone.profile), cone.half_angle, cone.exponent, cone.inner, cone.outer},
-            light.density_scale},
+            light.density_scale,
+            light.source_radius},
            {placed.position.x, placed.position.y, placed.position.z},
            {0, 1, 0},
            placed.carried}};
@@ -86,6 +88,25 @@ TEST_F(CFace, SolvesAreThoseOfCpp) {
         solution.intensity,
         sample_fog_intensity(light.attenuation, scaled(cpp_fog_, light.density_scale), light.threshold, 64).intensity);
   }
+}
+
+TEST_F(CFace, PhotometricLightsAreThoseOfCpp) {
+  for (int i = 0; i < 50; ++i) {
+    const Twins twins = random_twins(random_);
+    litfog_light near;
+    double intensity[3];
+    ASSERT_EQ(litfog_photometric(&twins.c.light, &near), LITFOG_OK) << litfog_last_error();
+    ASSERT_EQ(litfog_candela(&twins.c.light, intensity), LITFOG_OK) << litfog_last_error();
+    const Light expected = photometric(twins.cpp.light);
+    EXPECT_EQ(near.color[1], expected.color.g);
+    EXPECT_EQ(near.attenuation.quadratic, expected.attenuation.quadratic);
+    EXPECT_EQ(near.threshold, expected.threshold);
+    EXPECT_EQ(near.source_radius, 0);
+    EXPECT_EQ(intensity[2], candela(twins.cpp.light).b);
+  }
+  litfog_light wrong{};
+  wrong.source_radius = 1;
+  EXPECT_EQ(litfog_photometric(&wrong, &wrong), LITFOG_INVALID_ARGUMENT);
 }
 
 TEST_F(CFace, AirlightsAreThoseOfCpp) {
@@ -469,7 +490,8 @@ TEST_F(CFace, AnyNumbersAreTakenOrRefused) {
                                  &light.light.density_scale, &light.light.attenuation.quadratic,
                                  &light.light.cone.outer,    &light.light.cone.half_angle,
                                  &light.position[1],         &light.light.cone.exponent,
-                                 &light.direction[1],        &light.light.cone.inner};
+                                 &light.direction[1],        &light.light.cone.inner,
+                                 &light.light.source_radius};
       *random_.pick(members) = number();
     }
     if (random_.chance(0.1)) light.light.cone.profile = random_.below(5) - 1;

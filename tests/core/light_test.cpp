@@ -3,10 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <stdexcept>
 #include <string>
 
+#include "litfog/attenuation.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 
@@ -40,6 +43,55 @@ TEST(Light, NegativeOrInfiniteDensityScaleIsAnError) {
   EXPECT_EQ(error_after([](Light& l) { l.density_scale = kInfinity; }), "density_scale = inf: must be finite and >= 0");
   EXPECT_EQ(error_after([](Light& l) { l.density_scale = kNan; }), "density_scale = nan: must be finite and >= 0");
   EXPECT_EQ(error_after([](Light& l) { l.density_scale = 0; }), "accepted");
+}
+
+TEST(Light, SourceRadiusThatNoLawCanHaveIsAnError) {
+  const auto error = [](double radius, const Attenuation& attenuation, double red = 1) {
+    return error_after([&](Light& l) {
+      l.attenuation = attenuation;
+      l.source_radius = radius;
+      l.color.r = red;
+    });
+  };
+  EXPECT_EQ(error(-1, {1, 0, 1}), "source_radius = -1: must be finite and >= 0");
+  EXPECT_EQ(error(kNan, {1, 0, 1}), "source_radius = nan: must be finite and >= 0");
+  EXPECT_EQ(error(kInfinity, {1, 0, 1}), "source_radius = inf: must be finite and >= 0");
+  EXPECT_EQ(error(0.1, {1, 1, 0}), "source_radius = 0.1: must be 0 where attenuation.quadratic is 0");
+  EXPECT_EQ(error(2, {1, 0, 0.25}), "accepted");
+  EXPECT_EQ(error(2.1, {1, 0, 0.25}), "source_radius = 2.1: must be <= sqrt(attenuation.constant / quadratic)");
+  EXPECT_EQ(error(0.1, {0, 0, 1}), "source_radius = 0.1: must be <= sqrt(attenuation.constant / quadratic)");
+  const char* const kOutOfRange = ": must leave color / (attenuation.quadratic source_radius^2) finite";
+  EXPECT_EQ(error(1e-9, {1, 0, 1e-3}, 1e300), std::string("source_radius = 1e-09") + kOutOfRange);
+  EXPECT_EQ(error(1e-200, {1, 0, 1}), std::string("source_radius = 1e-200") + kOutOfRange);
+  EXPECT_EQ(error(0, {1, 1, 0}), "accepted");
+}
+
+TEST(Photometric, LawIsTheDiscsBesideTheLampAndTheLightsFarAway) {
+  Random random(40);
+  for (int i = 0; i < 10'000; ++i) {
+    Light light{.color = {random.log_uniform(1e-3, 1e3), 1, 0},
+                .attenuation = {random.log_uniform(1e-2, 1e2), random.chance(0.5) ? 0 : random.log_uniform(1e-6, 10),
+                                random.log_uniform(1e-6, 1e2)},
+                .threshold = random.uniform(1e-3, 0.9)};
+    const auto [c, l, q] = light.attenuation;
+    light.source_radius = random.uniform(0.001, 0.999) * std::sqrt(c / q);
+    const Light near = photometric(light);
+    ASSERT_FALSE(find_error(near));
+    const long double radius = light.source_radius;
+    const bool is_dark = light.threshold * q * radius * radius >= 1;
+    for (const double range : {0., 1e-3, 0.1, 1., 30., 1e4}) {
+      const long double r = range;
+      const long double stated = light.color.r / (q * radius * radius + l * r + q * r * r);
+      EXPECT_NEAR(near.color.r * attenuation_at(near.attenuation, range), is_dark ? 0 : stated, 3e-15L * stated);
+    }
+    if (is_dark) continue;
+    EXPECT_NEAR(near.threshold * near.color.r / (light.threshold * light.color.r), 1, 2 * kPhotometricMaxError);
+    EXPECT_NEAR(candela(near).r / candela(light).r, 1, 2 * kPhotometricMaxError);
+    EXPECT_EQ(photometric(near).color, near.color) << "it has no source radius";
+  }
+  EXPECT_EQ(photometric(Light{.color = {3, 2, 1}}).color, glm::dvec3(3, 2, 1));
+  EXPECT_EQ(candela(Light{}).r, kInfinity);
+  EXPECT_THROW(photometric(Light{.source_radius = -1}), std::invalid_argument);
 }
 
 TEST(Light, ErrorOfAPartIsTheLightsError) {

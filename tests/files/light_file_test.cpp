@@ -97,6 +97,8 @@ TEST(LightFile, WrongMemberIsAnErrorAtItsLocationInTheFilesTerms) {
   EXPECT_EQ(with(R"("color": [1, -0.5, 1])"), "f:2:14: color[1] = -0.5: must be finite and >= 0");
   EXPECT_EQ(with(R"("color": [1, 1])"), "f:2:10: color = an array: must be an array of three numbers");
   EXPECT_EQ(with(R"("density_scale": -1)"), "f:2:18: density_scale = -1: must be finite and >= 0");
+  EXPECT_EQ(with(R"("source_radius_m": 1)"),
+            "f:2:20: source_radius_m = 1: must be 0 where attenuation.quadratic is 0");
   EXPECT_EQ(with(R"("source": [1])"), "f:2:12: source[0] = 1: must be a string");
   EXPECT_EQ(with(R"("name": 1)"), "f:2:9: name = 1: must be a string");
   EXPECT_TRUE(with(R"("light_point_only": true)").starts_with("f:2:1: \"light_point_only\": must be one of litfog, "));
@@ -132,9 +134,11 @@ TEST(LightFile, WrittenLightIsReadBackToTheDigit) {
     light.attenuation = {random.uniform(0, 1), random.log_uniform(1e-300, 1e300), random.any_positive<double>()};
     light.threshold = random.uniform(0.001, 0.999);
     light.density_scale = random.chance(0.5) ? 1 : random.uniform(0, 2);
+    light.source_radius = random.chance(0.5) ? 0 : random.log_uniform(1e-3, 2);
     const double outer = pi / 180 * random.uniform(0.1, 180);
     if (random.chance(0.4)) light.cone = Cone::smoothstep(random.uniform(0, 0.9) * outer, outer);
     if (random.chance(0.4)) light.cone = Cone::cosine(outer / 2, random.log_uniform(1e-3, 1e5));
+    if (find_error(light)) light.source_radius = 0;
     const std::string text = format_light(light, {"a", "\xC3\xA4\\"}, "{\"rms\": 0}");
     Light back = parse(text);
     // A degree is 57 radians: some angles have no double of degrees.
@@ -149,6 +153,7 @@ TEST(LightFile, WrittenLightIsReadBackToTheDigit) {
     EXPECT_EQ(back.attenuation, light.attenuation);
     EXPECT_EQ(back.threshold, light.threshold);
     EXPECT_EQ(back.density_scale, light.density_scale);
+    EXPECT_EQ(back.source_radius, light.source_radius);
     EXPECT_EQ(back.cone, light.cone);
     const JsonValue source = parse_json(text, "f").member("source");
     EXPECT_EQ(source.items()[1].string(), "\xC3\xA4\\");

@@ -103,6 +103,36 @@ inline AirlightCase draw_inverse_square_airlight_case(Random& random, FogMode mo
   return c;
 }
 
+/// photometric() lamps of colour 1 with source radii of 2 cm to 2 m and up to 1e5 times as bright as white, and rays
+/// that pass them within a hundredth to a hundred source radii or at sizes of a scene.
+inline AirlightCase draw_photometric_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
+  AirlightCase c;
+  c.lamp_leg = lamp_leg;
+  const double radius = random.log_uniform(0.02, 2);
+  const double brightness = random.log_uniform(1, 1e5);
+  Light light;
+  light.source_radius = radius;
+  light.attenuation.quadratic = 1 / (brightness * radius * radius);
+  light.attenuation.linear = random.chance(0.7) ? 0 : random.log_uniform(1e-3, 10) / (brightness * radius);
+  if (random.chance(0.3)) light.threshold = random.log_uniform(1e-4, 0.3);
+  c.light.light = photometric(light);
+  c.atmosphere.fog = Fog::from_visibility(mode, random.log_uniform(3, 1e5));
+  const double extent = compute_extent(light.attenuation, light.threshold);
+  const double sizes[]{extent, radius, 1 / c.atmosphere.fog.density, random.log_uniform(0.1, 2000)};
+  const double size = random.pick(sizes);
+  const double approach =
+      random.chance(0.125) ? 0 : (random.chance(0.25) ? -1 : 1) * size * random.log_uniform(1e-3, 3);
+  const double offset = random.chance(0.125) ? 0
+                        : random.chance(0.5) ? radius * random.log_uniform(0.01, 100)
+                                             : size * random.log_uniform(1e-4, 1.1);
+  c.ray.direction = draw_direction(random);
+  c.light.position = approach * c.ray.direction - offset * draw_perpendicular(random, c.ray.direction);
+  c.ray.length = random.chance(0.33)  ? kInfinity
+                 : random.chance(0.5) ? std::abs(approach) * random.log_uniform(0.3, 3)
+                                      : random.log_uniform(0.1, 3000);
+  return c;
+}
+
 /// Where a lamp lies as the eye sees it.
 struct LampRegion {
   double nearest, farthest;          ///< fog scales (1 / density) from the eye

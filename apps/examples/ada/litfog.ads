@@ -42,6 +42,7 @@ package Litfog is
       Threshold     : Real;
       Beam          : Cone;
       Density_Scale : Real;
+      Source_Radius : Real;
    end record with Convention => C;
    type Placed_Light is record
       Kind                : Light;

@@ -34,7 +34,7 @@ public static class Litfog
         public Attenuation Attenuation;
         public double Threshold;
         public Cone Cone;
-        public double DensityScale;
+        public double DensityScale, SourceRadius;
     }
 
     [StructLayout(LayoutKind.Sequential)]

@@ -122,6 +122,7 @@ typedef struct litfog_light {
   double threshold;  ///< (0, 1): attenuation at which the light ends
   litfog_cone cone;
   double density_scale;  ///< finite, >= 0: its class sees this fraction of the fog's density; 0: no fog
+  double source_radius;  ///< metres, R of the lamp's luminous disc for litfog_photometric; 0: none is known
 } litfog_light;
 
 /// A light in a scene.
@@ -143,6 +144,14 @@ LITFOG_API litfog_status litfog_check_fog(const litfog_fog* fog);
 LITFOG_API litfog_status litfog_check_atmosphere(const litfog_atmosphere* atmosphere);
 LITFOG_API litfog_status litfog_check_light(const litfog_light* light);
 LITFOG_API litfog_status litfog_check_placed_light(const litfog_placed_light* light);
+
+#define LITFOG_WHITE_LUX 20.0  ///< illuminance of colour 1 at attenuation 1
+
+/// The light as it is near the lamp, a disc of its source radius, without the clamp of its range attenuation.
+LITFOG_API litfog_status litfog_photometric(const litfog_light* light, litfog_light* photometric);
+
+/// The light's far intensity on its axis in candela, a component a colour; INFINITY where it has no quadratic term.
+LITFOG_API litfog_status litfog_candela(const litfog_light* light, double candela[3]);
 
 // --- light files (litfog/files/light_file.h) ---
 

@@ -24,7 +24,9 @@ namespace litfog {
 ///       "threshold": 0.05,                    optional
 ///       "cone": {"profile": "cosine", "half_angle_deg": 15, "exponent": 75},  optional: a point light
 ///               {"profile": "smoothstep", "inner_deg": 5, "outer_deg": 15}
-///       "density_scale": 0.4                  optional: 1
+///       "density_scale": 0.4,                 optional: 1
+///       "source_radius_m": 0.05               optional: 0, none is known; above 0 pictures by airlight show the light as
+///                                             photometric() does
 ///       "fit": {...}                          optional: how litfog-fit found the figures; ignored
 ///     }
 ///

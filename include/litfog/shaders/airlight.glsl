@@ -282,7 +282,15 @@ bool litfog_airlight_is_plain(LitfogAirlight air) {
 
 // The number of nodes of the stated errors.
 LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
-  if (litfog_airlight_is_plain(air)) return air.mode == LITFOG_REAL(0.0) ? LITFOG_REAL(7.0) : LITFOG_REAL(8.0);
+  if (litfog_airlight_is_plain(air)) {
+    // A far lamp may make two peaks: the fog before the eye and that around the lamp. In exp fog with the lamp's leg
+    // fogged all fog between them is as bright.
+    LITFOG_REAL depth = air.density * air.approach;
+    if (air.mode != LITFOG_REAL(0.0)) {
+      return depth > LITFOG_REAL(2.5) && depth < LITFOG_REAL(6.0) ? LITFOG_REAL(16.0) : LITFOG_REAL(8.0);
+    }
+    return air.lamp_leg == LITFOG_REAL(0.0) && depth > LITFOG_REAL(2.5) ? LITFOG_REAL(24.0) : LITFOG_REAL(7.0);
+  }
   if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) return LITFOG_REAL(128.0);
   if (!litfog_is_isotropic(air.phase)) return litfog_phase_nodes(air.phase);
   return litfog_airlight_is_wide(air) ? LITFOG_REAL(28.0) : LITFOG_REAL(20.0);
@@ -368,9 +376,8 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.bend = LITFOG_REAL(0.0);
   if (side.farthest > side.nearest) {
     LITFOG_REAL end = litfog_airlight_z(side, side.farthest);
-    LITFOG_REAL least = litfog_is_isotropic(air.phase) ? LITFOG_REAL(0.0015) : LITFOG_REAL(0.0005);
-    side.width =
-        clamp(sqrt(width * width + side.nearest * side.nearest), least * end, LITFOG_REAL(1000.0) * end);
+    side.width = clamp(sqrt(width * width + side.nearest * side.nearest), LITFOG_REAL(1.0e-6) * end,
+                       LITFOG_REAL(1000.0) * end);
     side.size = asinh(end / side.width);
     side.part = sqrt(side.size);
     if (litfog_airlight_is_plain(air)) {
@@ -554,8 +561,13 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
   // lies within the reach but in exp fog with a clear lamp leg.
   LITFOG_REAL depths = litfog_backward_depths(air.phase);
   if (air.mode == LITFOG_REAL(0.0)) {
+    // With a clear leg, the fog around a far lamp counts by how much brighter the lamp makes it than that at the eye.
+    LITFOG_REAL nearest = litfog_airlight_range(air, clamp(LITFOG_REAL(0.0), low, high));
+    LITFOG_REAL first = litfog_airlight_range(air, low);
+    LITFOG_REAL brighter = log(litfog_attenuation(nearest, air.constant, air.linear, air.quadratic) /
+                               litfog_attenuation(first, air.constant, air.linear, air.quadratic));
     high = min(high, air.lamp_leg == LITFOG_REAL(0.0)
-                         ? low + (LITFOG_REAL(9.0) + max(litfog_forward_depths(air.phase), depths)) * fog_scale
+                         ? low + (LITFOG_REAL(9.0) + brighter + max(litfog_forward_depths(air.phase), depths)) * fog_scale
                          : max(low, LITFOG_REAL(0.0)) + (LITFOG_REAL(4.5) + LITFOG_REAL(0.5) * depths) * fog_scale +
                                min(LITFOG_REAL(4.5) * fog_scale, air.offset));
   } else {
