@@ -33,7 +33,8 @@ Result measure_maps(bool quick) {
                           "cone_kib", "max_error_255", "mean_error_255", "p99_error_255"};
   for (const char* path : {"lookup-3d", "lookup-2d"}) {
     for (const int size : sizes) {
-      render::Renderer renderer(scene, kWidth, kHeight, {.path = render::find_lighting_path(path), .map_size = size});
+      render::Renderer renderer(scene, kWidth, kHeight,
+                                {.path = render::find_lighting_path(path), .papers = {.map_size = size}});
       renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp2, 100.0)));
       renderer.draw();
       const measure::PictureError error = measure::compare_with_reference(renderer).error;

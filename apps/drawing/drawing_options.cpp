@@ -116,8 +116,6 @@ bool is_hales_lookup(const render::LightingPath& path) {
 void add_path(CLI::App& app, DrawingOptions& options) {
   command::add_choice(app, "--path", options.render.path, path_names(),
                       "Lighting path: see `litfog-demo list paths` (default unified)");
-  app.add_flag("--flat-shading", options.render.is_flat_shaded,
-               "With lookup-3d and lookup-2d: the directional light by the faces' normals");
 }
 
 void add_size(CLI::App& app, DrawingOptions& options) {
@@ -131,24 +129,28 @@ void add_rendering(CLI::App& app, DrawingOptions& options) {
   add_size(app, options);
   command::add_choice(app, "--samples", options.render.samples, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
                       "At least this many samples a pixel (default 4)");
-  command::add_integer(app, "--map-size", options.render.map_size, 8, 256,
-                       "Edge of the path's light maps in texels (default 128)");
-  command::add_choice(
-      app, "--cone-maps", options.render.cone_maps,
-      {{"scaled", render::ConeMaps::scaled},
-       {"even", render::ConeMaps::even},
-       {"one-disc", render::ConeMaps::one_disc}},
-      "Cube maps of paths with light maps: scaled spans one face by each cone below 90 degrees, as the papers do; even "
-      "spreads cones wider than 60 degrees over all faces; one-disc is Frazier's one map for every cone (default "
-      "scaled)");
-  command::add_number(
-      app, "--light-ambient", options.render.light_ambient, kFraction,
-      "With lookup-3d and lookup-2d: the lights' ambient colour as a fraction of their colour (default 0)");
-  app.add_flag("--infinite-viewer", options.render.has_infinite_viewer,
-               "Highlights as seen from far away along the camera's axis");
   app.add_flag_callback(
       "--no-skip", [&options] { options.render.skipping = render::Skipping::off; },
       "Draw and light everything, even what cannot be visible");
+  render::PaperSettings& papers = options.render.papers;
+  app.option_defaults()->group("Options that re-enact the papers");
+  app.add_flag("--flat-shading", papers.is_flat_shaded,
+               "With lookup-3d and lookup-2d: the directional light by the faces' normals");
+  command::add_number(
+      app, "--light-ambient", papers.light_ambient, kFraction,
+      "With lookup-3d and lookup-2d: the lights' ambient colour as a fraction of their colour (default 0)");
+  app.add_flag("--infinite-viewer", papers.has_infinite_viewer,
+               "Highlights as seen from far away along the camera's axis");
+  command::add_integer(app, "--map-size", papers.map_size, 8, 256,
+                       "Edge of the path's light maps in texels (default 128)");
+  using render::ConeMaps;
+  command::add_choice(
+      app, "--cone-maps", papers.cone_maps,
+      {{"scaled", ConeMaps::scaled}, {"even", ConeMaps::even}, {"one-disc", ConeMaps::one_disc}},
+      "Cube maps of paths with light maps: scaled spans one face by each cone below 90 degrees, as the papers do; even "
+      "spreads cones wider than 60 degrees over all faces; one-disc is Frazier's one map for every cone (default "
+      "scaled)");
+  app.option_defaults()->group("Options");
 }
 
 void add_fog_light(CLI::App& app, DrawingOptions& options) {

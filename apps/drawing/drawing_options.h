@@ -57,10 +57,9 @@ void add_fog(CLI::App& app, DrawingOptions& options);
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
 /// Whether a path is lookup-3d or lookup-2d, to which --flat-shading and --light-ambient belong.
 bool is_hales_lookup(const render::LightingPath& path);
-/// --path and --flat-shading.
 void add_path(CLI::App& app, DrawingOptions& options);
 void add_size(CLI::App& app, DrawingOptions& options);
-/// --size, --samples, --map-size, --cone-maps, --light-ambient, --infinite-viewer and --no-skip.
+/// --size, --samples, --no-skip, and a group of what only re-enacts papers.
 void add_rendering(CLI::App& app, DrawingOptions& options);
 /// --fog-light, for a job over one path or all.
 void add_fog_light(CLI::App& app, DrawingOptions& options);

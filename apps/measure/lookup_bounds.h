@@ -11,7 +11,7 @@ namespace litfog::measure {
 class LookupBounds {
  public:
   /// model  of a path with light maps; has to outlive this
-  LookupBounds(const PathModel& model, const render::RenderSettings& settings)
+  LookupBounds(const PathModel& model, const render::PaperSettings& settings)
       : model_(model), cone_maps_(settings.cone_maps), texel_(2.0 / (settings.map_size - 1)) {}
 
   struct Interval {

@@ -63,7 +63,7 @@ SurfacePoint PathModel::surface_point(const render::GeometrySample& sample) cons
   return {.position = position,
           .normal = path_.has_normal_maps ? mapped_normal(sample, double(material.normal_scale))
                                           : glm::normalize(glm::dvec3(sample.normal)),
-          .to_eye = settings_.has_infinite_viewer ? -forward_ : glm::normalize(eye_ - position),
+          .to_eye = settings_.papers.has_infinite_viewer ? -forward_ : glm::normalize(eye_ - position),
           .emissive = sample.emission,
           .diffuse = sample.albedo,
           .specular = is_basic ? glm::dvec3(material.specular) * double(sample.gloss) : glm::dvec3(0.0),
@@ -111,7 +111,7 @@ glm::dvec3 PathModel::reflectance(const SurfacePoint& point, const glm::dvec3& t
   if (path_.surface == render::SurfaceModel::unshaded) return point.diffuse;
   const double cosine = glm::dot(point.normal, to_light);
   if (path_.surface == render::SurfaceModel::diffuse) {
-    return point.diffuse * (settings_.light_ambient + std::max(cosine, 0.0));
+    return point.diffuse * (settings_.papers.light_ambient + std::max(cosine, 0.0));
   }
   return cosine > 0 ? point.diffuse * cosine + highlight(point, to_light) : glm::dvec3(0.0);
 }

@@ -61,7 +61,7 @@ class ReferenceShading {
         eye_(renderer.scene().camera.position - renderer.origin()),
         fog_above_eye_(model_.atmosphere().top - renderer.scene().camera.position.y),
         rays_(renderer.scene().camera, renderer.width(), renderer.height()) {
-    if (model_.path().maps != render::LightMapSet::none) bounds_.emplace(model_, renderer.settings());
+    if (model_.path().maps != render::LightMapSet::none) bounds_.emplace(model_, renderer.settings().papers);
   }
   ReferenceShading(const ReferenceShading&) = delete;
   ReferenceShading& operator=(const ReferenceShading&) = delete;

@@ -203,11 +203,11 @@ Rows hales_cones(const FigurePainter& painter) {
     rows.emplace_back();
     for (const int size : {32, 128}) {
       RenderSettings scaled = along("lookup-3d");
-      scaled.map_size = size;
+      scaled.papers.map_size = size;
       rows.back().push_back(painter.draw(
           scene, scaled, {fmt::format("cone of {} degrees, scaled, {} texels", degrees, size), "as Hales scales it"}));
     }
-    rows.back().push_back(painter.draw(scene, along("lookup-3d", {.cone_maps = render::ConeMaps::even}),
+    rows.back().push_back(painter.draw(scene, along("lookup-3d", {.papers = {.cone_maps = render::ConeMaps::even}}),
                                        {fmt::format("cone of {} degrees, even, 128 texels", degrees),
                                         "beyond 60 degrees over all faces of the cube"}));
     rows.back().push_back(painter.draw(scene, along("unified"), {fmt::format("cone of {} degrees, formula", degrees)}));
@@ -378,7 +378,7 @@ Rows cg_figures(const FigurePainter& painter) {
   for (const auto& [name, edge] : {std::pair{"figure 5-21, left: one cone", render::SpotEdge::hard},
                                    {"two cones by lerp", render::SpotEdge::lerp},
                                    {"figure 5-21, right: two cones by smoothstep", render::SpotEdge::smoothstep}}) {
-    rows.back().push_back(painter.draw(spot, along("cg", {.spot_edge = edge}), {name}));
+    rows.back().push_back(painter.draw(spot, along("cg", {.papers = {.spot_edge = edge}}), {name}));
   }
   Scene bright = wall({1, 1}, "plaster");
   bright.lights = {lamp({-1.5, 0, 0.4}, {0.2, 0, 1.5}), lamp({1.6, 0, 0.4}, {1, 0, 9})};
@@ -388,7 +388,7 @@ Rows cg_figures(const FigurePainter& painter) {
       {painter.draw(bright, along("cg"), {"example 5-6: attenuation as printed", "C = 0.2, Q = 1.5; C = 1, Q = 9"}),
        painter.draw(bright, along("unified"), {"clamped to 1 and cut at 0.05", "the other paths"}),
        painter.draw(glossy, along("unified"), {"exercise 4: viewer where the eye is"}),
-       painter.draw(glossy, along("unified", {.has_infinite_viewer = true}),
+       painter.draw(glossy, along("unified", {.papers = {.has_infinite_viewer = true}}),
                     {"exercise 4: V always (0, 0, 1)", "infinite viewer"})});
   Scene metal = figure(drum(64), {});
   metal.materials.clear();
@@ -410,7 +410,7 @@ Rows frazier_figures(const FigurePainter& painter) {
   rows[0].push_back(painter.draw(room, along("accumulate"), {"multiplied by the base texture"}));
   for (const auto& [name, maps] : {std::pair{"one spot map for every angle, by its scale", render::ConeMaps::one_disc},
                                    {"a map of each light's own cone", render::ConeMaps::scaled}}) {
-    rows[1].push_back(painter.draw(room, along("radial", {.cone_maps = maps}), {name}));
+    rows[1].push_back(painter.draw(room, along("radial", {.papers = {.cone_maps = maps}}), {name}));
   }
   Scene points = room;
   points.lights = {lamp({0, 1.4, -1}, {1, 0, 1}), lamp({-2.4, 1.8, -3}, {1, 0, 0.6})};

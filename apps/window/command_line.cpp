@@ -55,12 +55,13 @@ std::string to_string(const DrawingCommand& command) {
   }
   add(&path != usual.render.path, "--path", std::string(path.name));
   const bool has_maps = path.maps != render::LightMapSet::none;
-  add(has_maps && drawn.map_size != usual.render.map_size, "--map-size", fmt::format("{}", drawn.map_size));
-  add(has_maps && drawn.cone_maps != usual.render.cone_maps, "--cone-maps", cone_maps_word(drawn.cone_maps));
+  const render::PaperSettings& papers = drawn.papers;
+  add(has_maps && papers.map_size != usual.render.papers.map_size, "--map-size", fmt::format("{}", papers.map_size));
+  add(has_maps && papers.cone_maps != usual.render.papers.cone_maps, "--cone-maps", cone_maps_word(papers.cone_maps));
   const bool is_lookup = drawing::is_hales_lookup(path);
-  add(is_lookup && drawn.is_flat_shaded, "--flat-shading");
-  add(is_lookup && drawn.light_ambient != 0, "--light-ambient", fmt::format("{}", drawn.light_ambient));
-  add(path.surface == render::SurfaceModel::basic && drawn.has_infinite_viewer, "--infinite-viewer");
+  add(is_lookup && papers.is_flat_shaded, "--flat-shading");
+  add(is_lookup && papers.light_ambient != 0, "--light-ambient", fmt::format("{}", papers.light_ambient));
+  add(path.surface == render::SurfaceModel::basic && papers.has_infinite_viewer, "--infinite-viewer");
   add(path.takes_airlight && options.fog_light, "--fog-light", name_of(drawn.fog_lighting));
   if (drawn.shadows != render::Shadows::none) {
     add(true, "--shadows", shadows_word(drawn.shadows));

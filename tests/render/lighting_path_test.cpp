@@ -116,7 +116,7 @@ class Expected {
     const Environment& environment = scene_.environment;
     const dvec3 normal(0, 0, 1);
     const dvec3 to_eye =
-        settings_.has_infinite_viewer ? dvec3(0, 0, 1) : glm::normalize(dvec3(scene_.camera.position) - point);
+        settings_.papers.has_infinite_viewer ? dvec3(0, 0, 1) : glm::normalize(dvec3(scene_.camera.position) - point);
     const auto reflected = [&](const dvec3& to_light) {
       const double diffuse = std::max(glm::dot(normal, to_light), 0.0);
       if (path.surface != SurfaceModel::basic || diffuse <= 0) return finish_.albedo * diffuse;
@@ -399,7 +399,7 @@ std::size_t count_shades(const Picture& picture) {
 TEST_F(LightingPathPixels, FlatShadedFaceHasOneShade) {
   const RenderSettings smooth = settings("lookup-2d");
   RenderSettings flat = smooth;
-  flat.is_flat_shaded = true;
+  flat.papers.is_flat_shaded = true;
   // Three channels of the ball's faces in light and the few shades at their edges, where four samples are averaged.
   EXPECT_LT(3 * count_shades(draw(moonlit_ball(), Fog{}, flat)), count_shades(draw(moonlit_ball(), Fog{}, smooth)));
 }
@@ -492,7 +492,7 @@ TEST_F(LightingPathPixels, InfiniteViewerIsInOneDirectionFromEveryPoint) {
   Scene scene = wall(1);
   scene.lights = lamps();
   RenderSettings infinite = settings("unified");
-  infinite.has_infinite_viewer = true;
+  infinite.papers.has_infinite_viewer = true;
   EXPECT_LE(worst_error(scene, Fog{}, infinite), kHalfFloat);
   EXPECT_GT(largest_difference(draw(scene, Fog{}, infinite), draw(scene, Fog{}, settings("unified"))), 0.01);
 }

@@ -404,9 +404,8 @@ class PaperFormula : public test::GlTest {
     std::printf("%-14s error %.3g\n", std::string(settings.path->name).c_str(), worst);
     return worst;
   }
-  static RenderSettings along(std::string_view path, RenderSettings settings = {}) {
-    settings.path = find_lighting_path(path);
-    return settings;
+  static RenderSettings along(std::string_view path, const PaperSettings& papers = {}) {
+    return {.path = find_lighting_path(path), .papers = papers};
   }
 };
 

@@ -246,7 +246,7 @@ TEST_F(RendererTest, ChangedLightsCameraAndSizeGiveThePictureOfANewRenderer) {
                                                     std::tuple{"lookup-3d", FogLighting::peak, Shadows::none}}) {
     const RenderSettings settings{.path = find_lighting_path(path),
                                   .fog_lighting = fog_lighting,
-                                  .map_size = 16,
+                                  .papers = {.map_size = 16},
                                   .shadows = shadows,
                                   .shadow_map_size = 64};
     Scene scene = original;
@@ -521,7 +521,7 @@ TEST_F(RendererTest, MoreLightMapsThanMemoryHoldsAreAnErrorBeforeTheFirstIsMade)
     scene.lights.push_back(lamp);
     scene.lights.back().light.attenuation = {1, 0.01 * i, 0.1};
   }
-  const RenderSettings large{.path = find_lighting_path("lookup-3d"), .map_size = 256};  // 32 MiB a lamp
+  const RenderSettings large{.path = find_lighting_path("lookup-3d"), .papers = {.map_size = 256}};  // 32 MiB a lamp
   const std::clock_t start = std::clock();
   EXPECT_THROW(Renderer(scene, 8, 8, large), gl::Unsupported);
   EXPECT_LT(double(std::clock() - start) / CLOCKS_PER_SEC, 1);  // a GiB of maps takes five

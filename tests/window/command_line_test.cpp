@@ -52,8 +52,8 @@ TEST(CommandLine, OptionsWithoutEffectAreLeftOut) {
   command.options.fog_light = render::FogLighting::airlight;  // which the path lacks
   command.options.render.shadows = render::Shadows::surfaces;
   command.options.phase = Phase{0.5};
-  command.options.render.is_flat_shaded = true;
-  command.options.render.map_size = 64;
+  command.options.render.papers.is_flat_shaded = true;
+  command.options.render.papers.map_size = 64;
   EXPECT_EQ(to_string(command), "litfog-demo room --path vertex --size 1280x720");
 }
 

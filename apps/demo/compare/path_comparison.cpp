@@ -30,8 +30,8 @@ std::string words_of(const Fog& fog, double visibility) {
 
 std::string words_of(const render::RenderSettings& settings) {
   std::string words = settings.skipping == render::Skipping::on ? "what is invisible is skipped" : "nothing is skipped";
-  if (settings.has_infinite_viewer) words += ", highlights as seen from far away";
-  return fmt::format("{}, light maps of {} texels a side", words, settings.map_size);
+  if (settings.papers.has_infinite_viewer) words += ", highlights as seen from far away";
+  return fmt::format("{}, light maps of {} texels a side", words, settings.papers.map_size);
 }
 
 /// Pictures in reading order, as rows of a sheet.

@@ -8,7 +8,7 @@
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
 #include "litfog/photometry/cookie.h"
-#include "render/render_settings.h"
+#include "render/plan/paper_settings.h"
 
 namespace litfog::render {
 

@@ -23,7 +23,7 @@ std::size_t square(int side) { return std::size_t(side) * std::size_t(side); }
 }  // namespace
 
 LightMapStore::LightMapStore(const scene::Scene& scene, const SceneLights& lights, const RenderSettings& settings)
-    : set_(settings.path->maps), size_(settings.map_size), cone_coverage_(settings.cone_maps) {
+    : set_(settings.path->maps), size_(settings.papers.map_size), cone_coverage_(settings.papers.cone_maps) {
   if (set_ == LightMapSet::none) return;
   expect_room(lights);
   glEnable(GL_TEXTURE_CUBE_MAP_SEAMLESS);

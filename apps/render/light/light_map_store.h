@@ -18,8 +18,8 @@ namespace litfog::render {
 /// "Realtime Pixel Lighting Using Fragment Programs", section "Multiple Light Sources"). Needs a current GL context.
 class LightMapStore {
  public:
-  /// settings.map_size  texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair together has as
-  ///                    many texels as a 3-D map
+  /// settings.papers.map_size  texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair together
+  ///                           has as many texels as a 3-D map
   /// throws  gl::Unsupported where this OpenGL has no textures of that size, or where all maps together would take more
   ///         than 1 GiB
   LightMapStore(const scene::Scene& scene, const SceneLights& lights, const RenderSettings& settings);

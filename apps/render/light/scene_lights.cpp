@@ -32,7 +32,7 @@ double threshold_of(const Light& light, const RenderSettings& settings, double e
 }
 
 Cone drawn_cone(const Cone& cone, const RenderSettings& settings) {
-  return settings.path->maps == LightMapSet::none ? cone : mapped_cone(cone, settings.cone_maps);
+  return settings.path->maps == LightMapSet::none ? cone : mapped_cone(cone, settings.papers.cone_maps);
 }
 
 glm::dvec3 placed_relative_to(const glm::dvec3& origin, const PlacedLight& light) {

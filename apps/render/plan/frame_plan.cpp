@@ -203,7 +203,7 @@ void FramePlanner::plan_visible(const FrameView& view) {
       std::max({hidden_from, sky_range, airlight_end_from(view.camera.position, kBehindShare * step_),
                 points.farthest * view.point_depth_factor});
   const double highest_left_out = slope_in_fog(fog_above_eye, left_out_from);
-  const bool hides = settings_.path->has_light_bound && settings_.light_ambient == 0;
+  const bool hides = settings_.path->has_light_bound && settings_.papers.light_ambient == 0;
   for (const SurfaceInView& each : in_view) {
     const Surface& surface = surfaces_.surfaces()[each.surface];
     const bool has_mapped_fog = settings_.path->has_mapped_fog() && surface.is_fog_lit;

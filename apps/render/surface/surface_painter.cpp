@@ -375,7 +375,7 @@ void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant&
   set_uniform(program, "clip_from_world", frame.view.clip_from_world);
   set_uniform(program, "eye", frame.view.eye);
   set_uniform(program, "infinite_viewer", -frame.view.forward);
-  set_uniform(program, "is_flat_shaded", settings_.is_flat_shaded);
+  set_uniform(program, "is_flat_shaded", settings_.papers.is_flat_shaded);
   set_uniform(program, "albedo_map", kAlbedoUnit);
   set_uniform(program, "normal_map", kNormalUnit);
   set_uniform(program, "emission_map", kEmissionUnit);

@@ -43,9 +43,9 @@ std::string settings_constants(const RenderSettings& settings) {
       "const int spot_edge_hard = 0;\n"
       "const int spot_edge_lerp = 1;\n"
       "const int spot_edge = {};\n",
-      settings.has_infinite_viewer, settings.fog_lighting == FogLighting::airlight,
-      lights_surfaces_beyond_end(settings), settings.shadows == Shadows::shafts, settings.light_ambient,
-      int(settings.spot_edge));
+      settings.papers.has_infinite_viewer, settings.fog_lighting == FogLighting::airlight,
+      lights_surfaces_beyond_end(settings), settings.shadows == Shadows::shafts, settings.papers.light_ambient,
+      int(settings.papers.spot_edge));
 }
 
 }  // namespace
