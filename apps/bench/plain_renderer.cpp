@@ -44,7 +44,8 @@ gl::Program make_program(std::string_view vertex, std::string_view fragment, con
                          std::size_t local_count) {
   const std::string counts =
       fmt::format("#define LOCAL_COUNT {}\n#define LIGHT_COUNT {}\n", local_count, scene.lights.size());
-  std::vector<gl::ShaderSource> files{{"plain.glsl", counts}, {"light_list.glsl", "#include \"plain_lights.glsl\"\n"}};
+  std::vector<gl::ShaderSource> files{{"generated/plain.glsl", counts},
+                                      {"light_list.glsl", "#include \"plain_lights.glsl\"\n"}};
   files.insert(files.end(), plain_shaders().begin(), plain_shaders().end());
   const std::vector<gl::ShaderSource> rest = render::scene_shaders(!scene.cookies.empty());
   files.insert(files.end(), rest.begin(), rest.end());

@@ -3,7 +3,7 @@
 
 #include "cookie.glsl"
 #include "litfog/shaders/light.glsl"
-#include "plain.glsl"
+#include "generated/plain.glsl"
 
 uniform vec4 lights[5 * LIGHT_COUNT];
 uniform float density;

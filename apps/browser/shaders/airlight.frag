@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Composes the picture with the lamps' airlight.
 
-#include "compose.glsl"
+#include "compose/compose.glsl"
 #include "fog_top.glsl"
 #include "light_list.glsl"
 #include "litfog/shaders/glow.glsl"

@@ -24,7 +24,7 @@ const gl::Program& AirlightPrograms::program(const Atmosphere& atmosphere, const
       int(atmosphere.fog.mode), lights.has_knee ? "" : "#define LITFOG_NO_KNEE\n", lights.profile,
       is_isotropic ? "const" : "uniform", is_isotropic ? " = litfog_isotropic" : "");
   std::vector<gl::ShaderSource> files = scene_shaders(lights.profile == kCookieProfile, lights.has_shafts);
-  files.push_back({"airlight_constants.glsl", constants});
+  files.push_back({"generated/airlight_constants.glsl", constants});
   return programs_.emplace(key, gl::Program(vertex_file_, fragment_file_, files)).first->second;
 }
 

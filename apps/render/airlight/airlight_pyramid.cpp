@@ -23,10 +23,10 @@ constexpr GLint kMarked = AirlightTarget::kMarked;
 AirlightPyramid::AirlightPyramid(const gl::FogLightBuffer& fog_lights, const RenderSettings& settings)
     : fog_lights_(fog_lights),
       shaft_steps_(settings.shaft_steps),
-      tile_programs_("airlight_blocks.vert", "airlight_tiles.frag"),
-      left_out_programs_("airlight_left_out.vert", "airlight_left_out.frag"),
-      fill_program_("whole_picture.vert", "airlight_fill.frag", render_shaders()),
-      unpack_program_("whole_picture.vert", "airlight_unpack.frag", render_shaders()) {}
+      tile_programs_("airlight/airlight_blocks.vert", "airlight/airlight_tiles.frag"),
+      left_out_programs_("airlight/airlight_left_out.vert", "airlight/airlight_left_out.frag"),
+      fill_program_("whole_picture.vert", "airlight/airlight_fill.frag", render_shaders()),
+      unpack_program_("whole_picture.vert", "airlight/airlight_unpack.frag", render_shaders()) {}
 
 void AirlightPyramid::set_size(glm::ivec2 picture_size) {
   picture_size_ = picture_size;

@@ -95,7 +95,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphe
 
   glBindFramebuffer(GL_FRAMEBUFFER, sums_framebuffer_.id());
   glViewport(0, 0, size_.x, size_.y * (kSlabs + 1));
-  if (!sum_program_) sum_program_.emplace("whole_picture.vert", "far_airlight_sum.frag", render_shaders());
+  if (!sum_program_) sum_program_.emplace("whole_picture.vert", "airlight/far_airlight_sum.frag", render_shaders());
   sum_program_->use();
   PassTextures(*sum_program_).bind("far_slab_sums", slabs_, GL_TEXTURE_2D_ARRAY);
   set_uniform(*sum_program_, "row_count", size_.y);

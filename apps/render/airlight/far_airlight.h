@@ -26,7 +26,7 @@ class FarAirlight {
  public:
   /// fog_lights  has to outlive this
   explicit FarAirlight(const gl::FogLightBuffer& fog_lights)
-      : fog_lights_(fog_lights), light_programs_("whole_picture.vert", "far_airlight.frag") {}
+      : fog_lights_(fog_lights), light_programs_("whole_picture.vert", "airlight/far_airlight.frag") {}
 
   /// Uploads the lights of the next frames.
   void set_list(const FarAirlightList& list);

@@ -48,8 +48,8 @@ void AirlightBlocks::set(const gl::Program& program) const {
 }
 
 PackedTexels::PackedTexels()
-    : marks_program_("whole_picture.vert", "airlight_marks.frag", render_shaders()),
-      pack_program_("airlight_blocks.vert", "airlight_pack.frag", render_shaders()) {}
+    : marks_program_("whole_picture.vert", "airlight/airlight_marks.frag", render_shaders()),
+      pack_program_("airlight/airlight_blocks.vert", "airlight/airlight_pack.frag", render_shaders()) {}
 
 void PackedTexels::set_size(glm::ivec2 finest) {
   const glm::ivec2 most_blocks = blocks_over(finest);

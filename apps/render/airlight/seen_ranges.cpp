@@ -17,8 +17,8 @@ namespace {
 gl::Program make_program(int samples) {
   const std::string count = fmt::format("#define SAMPLE_COUNT {}\n", samples);
   std::vector<gl::ShaderSource> files(render_shaders().begin(), render_shaders().end());
-  files.push_back({"sample_count.glsl", count});
-  return gl::Program("sky.vert", "airlight_seen.frag", files);
+  files.push_back({"generated/sample_count.glsl", count});
+  return gl::Program("sky.vert", "airlight/airlight_seen.frag", files);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ void bind_pane_airlight(const gl::Program& program, const PaneAirlight* airlight
   }
 }
 
-Compositor::Compositor() : program_("whole_picture.vert", "compose_airlight.frag", render_shaders()) {}
+Compositor::Compositor() : program_("whole_picture.vert", "compose/compose_airlight.frag", render_shaders()) {}
 
 void Compositor::begin_panes() {
   glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_TRUE);

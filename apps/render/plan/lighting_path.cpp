@@ -15,7 +15,10 @@ constexpr std::string_view kLacroix =
 
 std::string of(std::string_view paper, std::string_view place) { return std::string(paper).append(", ").append(place); }
 
-/// The Basic model at each fragment, any number of lights, by a fragment shader.
+constexpr LightFeed kAllLights{.kind = LightFeed::Kind::all};
+constexpr std::string_view kCoordinates = "path/light_coordinates.vert";
+
+/// Any number of lights at each fragment, by a fragment shader.
 SurfacePass per_fragment(std::string_view fragment, LightFeed lights = {}) {
   lights.kind = LightFeed::Kind::all;
   return {.vertex = "surface.vert", .fragment = fragment, .lights = lights};
@@ -24,14 +27,13 @@ SurfacePass per_fragment(std::string_view fragment, LightFeed lights = {}) {
 /// Batches of lights by light maps, at each fragment.
 SurfacePass looked_up(std::string_view fragment, LightFeed lights) {
   lights.kind = LightFeed::Kind::batches;
-  return {.vertex = "light_coordinates.vert", .fragment = fragment, .lights = lights};
+  return {.vertex = kCoordinates, .fragment = fragment, .lights = lights};
 }
 
 /// Frazier's ambient light, then his lights added one by one.
 std::vector<SurfacePass> accumulated() {
-  const SurfacePass ambient{
-      .vertex = "light_coordinates.vert", .fragment = "accumulate_ambient.frag", .shows_fog = false};
-  SurfacePass light = looked_up("accumulate_light.frag", {.batch_size = 1});
+  const SurfacePass ambient{.vertex = kCoordinates, .fragment = "path/accumulate_ambient.frag", .shows_fog = false};
+  SurfacePass light = looked_up("path/accumulate_light.frag", {.batch_size = 1});
   light.blend = Blend::add;
   light.shows_fog = false;
   return {ambient, light};
@@ -40,11 +42,11 @@ std::vector<SurfacePass> accumulated() {
 /// accumulated(), multiplied by the base texture, then the fog before it.
 std::vector<SurfacePass> accumulated_with_texture() {
   std::vector<SurfacePass> passes = accumulated();
-  passes.push_back({.vertex = "light_coordinates.vert",
-                    .fragment = "accumulate_texture.frag",
+  passes.push_back({.vertex = kCoordinates,
+                    .fragment = "path/accumulate_texture.frag",
                     .blend = Blend::multiply,
                     .shows_fog = false});
-  passes.push_back({.vertex = "light_coordinates.vert", .fragment = "accumulate_fog.frag", .blend = Blend::over});
+  passes.push_back({.vertex = kCoordinates, .fragment = "path/accumulate_fog.frag", .blend = Blend::over});
   return passes;
 }
 
@@ -56,7 +58,7 @@ std::vector<LightingPath> make_paths() {
        .has_normal_maps = true,
        .takes_airlight = true,
        .has_light_bound = true,
-       .passes = {per_fragment("unified.frag")}},
+       .passes = {per_fragment("path/unified.frag")}},
       {.name = "lookup-3d",
        .description = "range from a 3-D texture, angle from a cube map whose +x face spans the cone",
        .source = std::string(kHales),
@@ -65,7 +67,7 @@ std::vector<LightingPath> make_paths() {
        .takes_airlight = true,
        .has_light_bound = true,
        .maps = LightMapSet::volume,
-       .passes = {looked_up("lookup_3d.frag", {.batch_size = 4, .bring_fog = true})}},
+       .passes = {looked_up("path/lookup_3d.frag", {.batch_size = 4, .bring_fog = true})}},
       {.name = "lookup-2d",
        .description = "range from two 2-D textures, angle from the same cube map",
        .source = std::string(kHales),
@@ -74,7 +76,7 @@ std::vector<LightingPath> make_paths() {
        .takes_airlight = true,
        .has_light_bound = true,
        .maps = LightMapSet::pair,
-       .passes = {looked_up("lookup_2d.frag", {.batch_size = 4, .bring_fog = true})}},
+       .passes = {looked_up("path/lookup_2d.frag", {.batch_size = 4, .bring_fog = true})}},
       {.name = "radial",
        .description = "1 - r^2 / E^2 from a 2-D and a 1-D texture, spots from a cube map",
        .source = std::string(kFrazier),
@@ -84,7 +86,7 @@ std::vector<LightingPath> make_paths() {
        .takes_airlight = true,
        .has_light_bound = true,
        .maps = LightMapSet::radial,
-       .passes = {looked_up("radial.frag", {.batch_size = 4})}},
+       .passes = {looked_up("path/radial.frag", {.batch_size = 4})}},
       {.name = "radial-plane",
        .description = "the same from one 2-D texture: each plane rotated to z = 0, z^2 a constant",
        .source = std::string(kFrazier),
@@ -94,9 +96,9 @@ std::vector<LightingPath> make_paths() {
        .takes_airlight = true,
        .has_light_bound = true,
        .maps = LightMapSet::radial,
-       .passes = {{.vertex = "radial_plane.vert",
-                   .geometry = "radial_plane.geom",
-                   .fragment = "radial_plane.frag",
+       .passes = {{.vertex = "path/radial_plane.vert",
+                   .geometry = "path/radial_plane.geom",
+                   .fragment = "path/radial_plane.frag",
                    .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4}}}},
       {.name = "accumulate",
        .description = "lights added one by one over the ambient light, then multiplied by the base texture",
@@ -112,13 +114,13 @@ std::vector<LightingPath> make_paths() {
        .description = "the Basic model at the vertices, any number of lights",
        .source = of(kCgTutorial, "section 5.2; ") + of(kLacroix, "listing 1.1"),
        .evaluation = Evaluation::vertex,
-       .passes = {{.vertex = "vertex.vert", .fragment = "vertex.frag", .lights = {.kind = LightFeed::Kind::all}}}},
+       .passes = {{.vertex = "path/vertex.vert", .fragment = "path/vertex.frag", .lights = kAllLights}}},
       {.name = "mixed",
        .description = "diffuse at the vertices, specular at the fragments",
        .source = of(kCgTutorial, "chapter 5, exercise 6"),
        .evaluation = Evaluation::vertex,
-       .passes = {{.vertex = "mixed.vert",
-                   .fragment = "mixed.frag",
+       .passes = {{.vertex = "path/mixed.vert",
+                   .fragment = "path/mixed.frag",
                    .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4, .lists_rest = true}}}},
       {.name = "tangent",
        .description = "normal maps, the lights carried into tangent space at the vertices, five a pass",
@@ -126,8 +128,8 @@ std::vector<LightingPath> make_paths() {
        .evaluation = Evaluation::vertex,
        .has_normal_maps = true,
        .takes_airlight = true,
-       .passes = {{.vertex = "tangent.vert",
-                   .fragment = "tangent.frag",
+       .passes = {{.vertex = "path/tangent.vert",
+                   .fragment = "path/tangent.frag",
                    .lights = {.kind = LightFeed::Kind::batches, .batch_size = 5}}}},
       {.name = "legacy",
        .description = "diffuse light at the vertices, texture and fog of one colour: the cost baseline",
@@ -135,7 +137,7 @@ std::vector<LightingPath> make_paths() {
        .surface = SurfaceModel::diffuse,
        .evaluation = Evaluation::vertex,
        .has_lit_fog = false,
-       .passes = {{.vertex = "legacy.vert", .fragment = "legacy.frag", .lights = {.kind = LightFeed::Kind::all}}}},
+       .passes = {{.vertex = "path/legacy.vert", .fragment = "path/legacy.frag", .lights = kAllLights}}},
   };
 }
 
@@ -149,7 +151,7 @@ std::vector<LightingPath> make_programs() {
        .has_reference = false,
        .pairs_lights = true,
        .maps = LightMapSet::volume,
-       .passes = {looked_up("sample.frag", {.batch_size = 2, .bring_fog = true})}},
+       .passes = {looked_up("path/sample.frag", {.batch_size = 2, .bring_fog = true})}},
       {.name = "light-map",
        .description = "the lights of accumulate added over the ambient light, without texture and fog",
        .source = of(kFrazier, "\"Multiple Lights in a Scene\""),
@@ -164,47 +166,47 @@ std::vector<LightingPath> make_programs() {
        .description = "unified without normal maps",
        .source = of(kLacroix, "listing 2.2"),
        .takes_airlight = true,
-       .passes = {per_fragment("interpolated.frag")}},
+       .passes = {per_fragment("path/interpolated.frag")}},
       {.name = "nested",
        .description = "unified, its lights in nested ifs that end at the first one whose flag is off",
        .source = of(kLacroix, "listings 3.1 and 3.2"),
        .has_normal_maps = true,
        .takes_airlight = true,
-       .passes = {per_fragment("nested.frag", {.has_flags = true})}},
+       .passes = {per_fragment("path/nested.frag", {.has_flags = true})}},
       {.name = "lacroix",
        .description = "attenuation and N.L as printed, neither clamped nor cut; matt surfaces",
        .source = of(kLacroix, "equations 1 to 4, listings 2.1 and 2.2"),
        .surface = SurfaceModel::diffuse,
        .range = RangeLaw::unbounded,
        .has_reference = false,
-       .passes = {{.vertex = "surface.vert", .fragment = "lacroix.frag", .lights = {.kind = LightFeed::Kind::all}}}},
+       .passes = {per_fragment("path/lacroix.frag")}},
       {.name = "parallax",
        .description = "unified, its textures shifted by their heights",
        .source = of(kLacroix, "\"Per-pixel normal map based lighting\""),
        .has_normal_maps = true,
        .takes_airlight = true,
        .has_reference = false,
-       .passes = {per_fragment("parallax.frag")}},
+       .passes = {per_fragment("path/parallax.frag")}},
       {.name = "cg",
        .description = "attenuation as printed, neither clamped nor cut; hard, linear or smooth spots",
        .source = of(kCgTutorial, "examples 5-3 to 5-10"),
        .range = RangeLaw::unbounded,
        .has_reference = false,
-       .passes = {{.vertex = "surface.vert", .fragment = "cg.frag", .lights = {.kind = LightFeed::Kind::all}}}},
+       .passes = {per_fragment("path/cg.frag")}},
       {.name = "cook-torrance",
        .description = "unified, its metals by facets",
        .source = of(kCgTutorial, "chapter 5, further reading"),
        .has_normal_maps = true,
        .takes_airlight = true,
        .has_reference = false,
-       .passes = {per_fragment("cook_torrance.frag")}},
+       .passes = {per_fragment("path/cook_torrance.frag")}},
       {.name = "anisotropic",
        .description = "unified, its metals brushed",
        .source = of(kCgTutorial, "chapter 5, exercise 7"),
        .has_normal_maps = true,
        .takes_airlight = true,
        .has_reference = false,
-       .passes = {per_fragment("anisotropic.frag")}},
+       .passes = {per_fragment("path/anisotropic.frag")}},
   };
 }
 
@@ -237,7 +239,7 @@ const LightingPath& object_space_path() {
                                   .has_normal_maps = true,
                                   .takes_airlight = true,
                                   .has_reference = false,
-                                  .passes = {per_fragment("object_space.frag")}};
+                                  .passes = {per_fragment("path/object_space.frag")}};
   return kPath;
 }
 

@@ -2,7 +2,7 @@
 // The values of a corner that every geometry shader passes on, from vertex.glsl to rasterised.glsl. The vertex shader
 // before it renames its outputs (geometry_corner.vert).
 
-#include "material.glsl"
+#include "generated/material.glsl"
 
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;

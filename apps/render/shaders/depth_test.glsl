@@ -12,7 +12,7 @@
 // No fragment of a mask or pane counts as hidden: a mask's depth is tested after its texture, and panes lie in front of
 // each other.
 
-#include "material.glsl"
+#include "generated/material.glsl"
 
 #ifdef TESTS_DEPTH_LATE
 #extension GL_ARB_shader_stencil_export : require

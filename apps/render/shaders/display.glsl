@@ -3,8 +3,8 @@
 // render/display.h says where the tone curves are from.
 
 #ifndef __cplusplus
-#include "hash.glsl"
-#include "srgb.glsl"
+#include "scene/hash.glsl"
+#include "scene/srgb.glsl"
 #endif
 
 // What is below 0 or not a number is black. A large number stands for infinity, whose ratios are no numbers.

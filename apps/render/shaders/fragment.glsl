@@ -8,7 +8,7 @@
 #include "rasterised.glsl"
 #include "scene.glsl"
 
-#include "shadow.glsl"
+#include "shadow/shadow.glsl"
 
 out vec4 color;
 

@@ -7,7 +7,7 @@
 
 #include "cookie.glsl"
 #include "litfog/shaders/light.glsl"
-#include "pass.glsl"
+#include "generated/pass.glsl"
 
 uniform vec4 uniform_lights[5 * uniform_light_count];
 

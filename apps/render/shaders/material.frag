@@ -3,11 +3,11 @@
 // that test their depth late.
 
 #define main shade_surface
-#include "pass.frag"
+#include "generated/pass.frag"
 #undef main
 #include "rasterised.glsl"
 #if defined MATERIAL_PANE && !defined WITHOUT_COLOR
-#include "pane.glsl"
+#include "compose/pane.glsl"
 #endif
 
 uniform sampler2D emission_map;

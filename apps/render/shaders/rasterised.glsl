@@ -2,7 +2,7 @@
 // A fragment of a surface as rasterised: its position and its textures.
 
 #include "surface_draw.glsl"
-#include "material.glsl"
+#include "generated/material.glsl"
 
 in vec3 rasterised_position;
 in vec2 uv;

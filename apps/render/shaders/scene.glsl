@@ -2,7 +2,7 @@
 // The eye, and the light of a scene apart from its lamps.
 
 #include "surface_draw.glsl"
-#include "environment.glsl"
+#include "generated/environment.glsl"
 
 // The unit direction to the viewer if has_infinite_viewer (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
 // chapter 5, exercise 4).

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A vertex in the world.
 
-#include "material.glsl"
+#include "generated/material.glsl"
 
 layout(location = 0) in vec3 vertex_position;
 layout(location = 1) in vec3 vertex_normal;

@@ -100,8 +100,8 @@ ShadowMaps::ShadowMaps(const scene::Scene& scene, const SceneLights& lights, con
                                      std::size_t(settings.shadow_lamps), settings.shadow_map_size)),
       caster_of_(lights.size(), kNoCaster),
       size_(settings.shadow_map_size),
-      program_("shadow_caster.vert", "shadow_caster.frag", render_shaders()),
-      mask_program_("shadow_caster.vert", "shadow_caster_mask.frag", render_shaders()) {
+      program_("shadow/shadow_caster.vert", "shadow/shadow_caster.frag", render_shaders()),
+      mask_program_("shadow/shadow_caster.vert", "shadow/shadow_caster_mask.frag", render_shaders()) {
   moon_maps_ = fitted_moon_maps(aspect);
   const std::size_t layers = map_count();
   expect_room(fmt::format("{} lamps{}", casters_.size(), moon_maps_.empty() ? "" : " and the moon"), layers, size_);

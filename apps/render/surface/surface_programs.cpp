@@ -82,13 +82,13 @@ SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
   const std::string pass = pass_constants(variant);
   std::vector<gl::ShaderSource> files = scene_shaders(has_cookies_, has_shadows_);
   const std::string environment = environment_light_ + settings_;
-  files.push_back({"environment.glsl", environment});
-  files.push_back({"pass.glsl", pass});
+  files.push_back({"generated/environment.glsl", environment});
+  files.push_back({"generated/pass.glsl", pass});
   const std::string material =
       samples_ + (variant.tests_depth_late ? "#define TESTS_DEPTH_LATE\n" : "") + material_constants(variant.material);
-  files.push_back({"material.glsl", material});
+  files.push_back({"generated/material.glsl", material});
   const std::string pass_fragment = fmt::format("#include \"{}\"\n", variant.pass->fragment);
-  files.push_back({"pass.frag", pass_fragment});
+  files.push_back({"generated/pass.frag", pass_fragment});
   const bool is_plain = variant.material == MaterialFeatures{} && !variant.tests_depth_late;
   gl::Program program(variant.pass->vertex, variant.pass->geometry,
                       is_plain ? variant.pass->fragment : std::string_view("material.frag"), files);

@@ -2,7 +2,7 @@
 // Packs the texels of a grid that the coarser grid cannot fill: those of a block of 16 x 16 texels are moved to its
 // first positions in Morton order. Scattered texels would leave most lanes of a processor idle.
 
-#include "texel.glsl"
+#include "airlight/texel.glsl"
 
 uniform ivec2 block_stride;  // from one packed block to the next, in blocks
 // Two texels a block, side by side, the first with the lower half: one bit for each of the block's texels, in Morton

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws a point over the used part of each block of a target's texels.
 
-#include "airlight_blocks.glsl"
+#include "airlight/airlight_blocks.glsl"
 
 uniform bool is_packed;  // otherwise all of a block is used
 uniform int block_columns;

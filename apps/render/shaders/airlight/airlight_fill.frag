@@ -5,8 +5,8 @@
 
 #extension GL_ARB_derivative_control : enable  // core in OpenGL 4.5
 
-#include "display_slope.glsl"
-#include "seen.glsl"
+#include "airlight/display_slope.glsl"
+#include "airlight/seen.glsl"
 
 uniform sampler2DRect grid;       // airlight; alpha: mean opacity of the fog before the surfaces that a texel sees
 uniform sampler2DRect grid_gain;  // derivative of airlight by that opacity

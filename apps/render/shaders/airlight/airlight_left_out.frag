@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Adds the part of a light's airlight that the coarser grid leaves out, at texels filled from that grid.
 
-#include "airlight_constants.glsl"
-#include "airlight_light.glsl"
+#include "generated/airlight_constants.glsl"
+#include "airlight/airlight_light.glsl"
 #include "pixel_direction.glsl"
 
 flat in vec4 entry;

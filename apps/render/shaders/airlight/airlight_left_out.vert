@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Draws for each light (an instance) a quad over the texels for which the coarser grid leaves out part of its airlight.
 
-#include "airlight_constants.glsl"
-#include "airlight_entry.glsl"
+#include "generated/airlight_constants.glsl"
+#include "airlight/airlight_entry.glsl"
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The airlight of a light along the ray through a pixel, up to the surfaces that the pixel's samples see.
 
-#include "airlight_constants.glsl"
-#include "airlight_entry.glsl"
-#include "display_slope.glsl"
-#include "seen.glsl"
+#include "generated/airlight_constants.glsl"
+#include "airlight/airlight_entry.glsl"
+#include "airlight/display_slope.glsl"
+#include "airlight/seen.glsl"
 
 uniform vec3 eye;
 
-#include "shaft.glsl"  // uses the eye declared above
+#include "airlight/shaft.glsl"  // uses the eye declared above
 
 layout(location = 0) out vec4 airlight;
 layout(location = 1) out vec4 gain;  // derivative of airlight by the fog's opacity, at the end of the ray

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Marks which texels of half a grid's block are not filled: block_marks of airlight_blocks.glsl.
 
-#include "airlight_blocks.glsl"
+#include "airlight/airlight_blocks.glsl"
 
 uniform sampler2DRect airlight;  // the grid
 

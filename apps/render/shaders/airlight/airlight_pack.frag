@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Finds the grid texel for which a packed texel stands.
 
-#include "airlight_blocks.glsl"
+#include "airlight/airlight_blocks.glsl"
 
 out vec2 place;
 

@@ -2,7 +2,7 @@
 // How far the eye sees through a pixel's samples, summed up by four ranges.
 
 #include "fog_top.glsl"
-#include "sample_count.glsl"
+#include "generated/sample_count.glsl"
 
 const int sample_count = SAMPLE_COUNT;  // a pixel
 

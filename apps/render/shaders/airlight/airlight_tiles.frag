@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Sums the airlight of the lights of one kind in the pixel's tile.
 
-#include "airlight_constants.glsl"
-#include "airlight_light.glsl"
+#include "generated/airlight_constants.glsl"
+#include "airlight/airlight_light.glsl"
 #include "pixel_direction.glsl"
 
 uniform bool is_packed;  // the target's texels stand for other texels of their block (airlight_blocks.glsl)

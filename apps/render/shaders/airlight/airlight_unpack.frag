@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Moves packed texels back to their positions in the grid.
 
-#include "airlight_blocks.glsl"
-#include "seen.glsl"
+#include "airlight/airlight_blocks.glsl"
+#include "airlight/seen.glsl"
 
 uniform sampler2DRect packed_airlight;
 uniform sampler2DRect packed_gain;

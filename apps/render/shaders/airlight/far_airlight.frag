@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Airlight of lights beyond their extents, in eight slabs of the ray through a texel, summed along the ray.
 
-#include "airlight_constants.glsl"
+#include "generated/airlight_constants.glsl"
 #include "cookie.glsl"
-#include "far_airlight.glsl"
+#include "airlight/far_airlight.glsl"
 #include "litfog/shaders/glow.glsl"
 #include "litfog/shaders/light_buffer.glsl"
 #include "pixel_direction.glsl"

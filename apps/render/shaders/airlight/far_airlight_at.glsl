@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Looks up the airlight of lights beyond their extents.
 
-#include "far_airlight.glsl"
+#include "airlight/far_airlight.glsl"
 
 uniform sampler2D far_airlight;  // one picture before each slab and one behind the last, from the bottom up
 

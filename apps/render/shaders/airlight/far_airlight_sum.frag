@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The airlight of lights beyond their extents before each slab: prefix sums, from the sums within groups of slabs.
 
-#include "far_airlight.glsl"
+#include "airlight/far_airlight.glsl"
 
 uniform sampler2DArray far_slab_sums;
 uniform int row_count;  // texel rows of one slab

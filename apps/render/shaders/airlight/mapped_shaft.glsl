@@ -3,7 +3,7 @@
 // Only the fraction of the airlight that is lit comes from the steps, each weighted by the integrand. The airlight
 // itself is the integral without steps, so where nothing is in shadow nothing changes.
 
-#include "shadow_caster.glsl"
+#include "shadow/shadow_caster.glsl"
 
 uniform int shaft_steps;
 

@@ -2,7 +2,7 @@
 // How far the eye sees through a pixel, as computed by airlight_seen.frag.
 
 #include "litfog/shaders/fog.glsl"
-#include "texel.glsl"
+#include "airlight/texel.glsl"
 
 uniform sampler2DRect seen_ranges;
 

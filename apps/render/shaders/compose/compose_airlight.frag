@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The airlight of all lamps, which blending adds to the picture.
 
-#include "compose.glsl"
-#include "far_airlight_at.glsl"
-#include "seen.glsl"
+#include "compose/compose.glsl"
+#include "airlight/far_airlight_at.glsl"
+#include "airlight/seen.glsl"
 
 uniform sampler2DRect airlight;  // within the lights' extents
 

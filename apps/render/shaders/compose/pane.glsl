@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A fragment of a pane with the airlight before it.
 
-#include "compose.glsl"
+#include "compose/compose.glsl"
 #include "cookie.glsl"
 #include "litfog/shaders/glow.glsl"
 #include "litfog/shaders/light_buffer.glsl"
@@ -11,8 +11,8 @@ uniform samplerBuffer airlight_entries;  // render::AirlightEntry
 uniform int airlight_count;              // 0 where the scene is not lit by airlight
 uniform LitfogPhase phase;
 
-#include "far_airlight_at.glsl"
-#include "shaft.glsl"
+#include "airlight/far_airlight_at.glsl"
+#include "airlight/shaft.glsl"
 
 // The airlight before the fragment. The airlight of the picture without panes is added later, times what panes let
 // through.

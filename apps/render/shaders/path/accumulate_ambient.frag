@@ -4,6 +4,6 @@
 // the directional light.
 
 #include "depth_test.glsl"
-#include "light_coordinates.glsl"
+#include "path/light_coordinates.glsl"
 
 void main() { color = vec4(directional_light(directional_shade), 1.0); }

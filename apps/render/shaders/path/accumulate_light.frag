@@ -3,6 +3,6 @@
 // Point Lights and Spot Lights in OpenGL", section "Multiple Lights in a Scene").
 
 #include "depth_test.glsl"
-#include "radial.glsl"
+#include "path/radial.glsl"
 
 void main() { color = vec4(radial_light(0), 1.0); }

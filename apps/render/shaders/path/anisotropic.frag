@@ -24,4 +24,4 @@ vec3 brushed(LitfogSurface surface, vec3 to_light, vec3 color) {
 }
 
 #define litfog_reflect brushed
-#include "unified.frag"
+#include "path/unified.frag"

@@ -27,4 +27,4 @@ vec3 cook_torrance(LitfogSurface surface, vec3 to_light, vec3 color) {
 }
 
 #define litfog_reflect cook_torrance
-#include "unified.frag"
+#include "path/unified.frag"

@@ -8,4 +8,4 @@
 vec3 interpolated_normal() { return normalize(normal); }
 
 #define mapped_world_normal interpolated_normal
-#include "unified.frag"
+#include "path/unified.frag"

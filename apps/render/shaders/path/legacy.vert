@@ -3,7 +3,7 @@
 // pipeline, of which he prints no formula. Here that is OpenGL's: ambient and diffuse light at the vertices, one
 // texture, fog of one colour. He does not say whether his had lamps; this one has them.
 
-#include "diffuse.glsl"
+#include "path/diffuse.glsl"
 #include "listed_lights.glsl"
 #include "scene.glsl"
 #include "vertex.glsl"

@@ -15,8 +15,8 @@
 // Left out: clamping to 1 before the screen, which his sample program has (sample.frag). Added: further passes for more
 // than four lights or for lights of other maps, each with the fog of its own lights; the surface's emission.
 
-#include "light_coordinates.glsl"
-#include "map_coordinate.glsl"
+#include "path/light_coordinates.glsl"
+#include "path/map_coordinate.glsl"
 
 uniform samplerCube cone_map;
 uniform bool is_flat_shaded;

@@ -5,7 +5,7 @@
 // texture left; this path draws its second texture all the same.
 
 #include "depth_test.glsl"
-#include "lookup.glsl"
+#include "path/lookup.glsl"
 
 uniform sampler2D distance_map;
 uniform sampler2D range_map;

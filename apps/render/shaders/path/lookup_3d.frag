@@ -3,7 +3,7 @@
 // "Embedding Range Attenuation in a Texture Map").
 
 #include "depth_test.glsl"
-#include "lookup.glsl"
+#include "path/lookup.glsl"
 
 uniform sampler3D range_map;
 

@@ -5,7 +5,7 @@
 // attenuation and cone are interpolated beside its half-angle vector. The interpolated values hold those of a few
 // lights only, so further lights add their highlights in further passes.
 
-#include "diffuse.glsl"
+#include "path/diffuse.glsl"
 #include "listed_lights.glsl"
 #include "scene.glsl"
 #include "vertex.glsl"

@@ -26,4 +26,4 @@ void add_flagged_lights(LitfogSurface surface, inout vec3 lit) {
 
 #undef EACH_LIGHT
 #define EACH_LIGHT(DO) add_flagged_lights(surface, lit);
-#include "unified.frag"
+#include "path/unified.frag"

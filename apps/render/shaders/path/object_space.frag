@@ -14,4 +14,4 @@ uniform mat4 world_from_model;
 vec3 object_space_normal() { return normalize(mat3(world_from_model) * mapped_normal()); }
 
 #define mapped_world_normal object_space_normal
-#include "unified.frag"
+#include "path/unified.frag"

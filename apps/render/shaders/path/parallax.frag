@@ -12,7 +12,7 @@
 #include "depth_test.glsl"
 #define texture_uv shifted_uv
 vec2 shifted_uv(vec2 coordinates);
-#include "unified.frag"
+#include "path/unified.frag"
 
 vec2 shifted_uv(vec2 coordinates) {
   vec3 to_eye = normalize(vector_to_viewer(fragment_position())) * world_from_tangent();

@@ -3,7 +3,7 @@
 // OpenGL", section "Per-Pixel Point Lighting", whose two passes are one here).
 
 #include "depth_test.glsl"
-#include "radial.glsl"
+#include "path/radial.glsl"
 
 void main() {
   vec3 light = vec3(0.0);

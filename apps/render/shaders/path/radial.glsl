@@ -9,8 +9,8 @@
 // (light_coordinates.glsl). Nothing is clamped to 1 before the screen. The fog is Hales's, the directional light is
 // added.
 
-#include "light_coordinates.glsl"
-#include "map_coordinate.glsl"
+#include "path/light_coordinates.glsl"
+#include "path/map_coordinate.glsl"
 
 uniform sampler2D range_map;
 uniform sampler1D distance_map;

@@ -11,8 +11,8 @@
 #include "depth_test.glsl"
 #include "fragment.glsl"
 #include "light_batch.glsl"
-#include "map_coordinate.glsl"
-#include "plane_rotation.glsl"
+#include "path/map_coordinate.glsl"
+#include "path/plane_rotation.glsl"
 
 uniform sampler2D range_map;
 uniform samplerCube cone_map;

@@ -6,7 +6,7 @@
 
 #include "corner.glsl"
 #include "light_batch.glsl"
-#include "plane_rotation.glsl"
+#include "path/plane_rotation.glsl"
 
 in float corner_shade[];
 

@@ -17,8 +17,8 @@
 // together, which no printed line forbids, are both lit by the range of the first.
 
 #include "depth_test.glsl"
-#include "light_coordinates.glsl"
-#include "map_coordinate.glsl"
+#include "path/light_coordinates.glsl"
+#include "path/map_coordinate.glsl"
 
 uniform sampler3D range_map;
 uniform samplerCube cone_map;

@@ -8,7 +8,7 @@
 // There, the plane of the fragment's own triangle may be nearer to the light. By how much follows from the plane, so a
 // flat surface does not shade itself at any angle.
 
-#include "shadow_caster.glsl"
+#include "shadow/shadow_caster.glsl"
 
 uniform int uniform_casters[uniform_light_count];  // one a uniform light
 uniform int first_moon_map;                        // the directional light's casters, the finest first

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Lamps that cast shadows, then the maps of the directional light, and all maps (render::ShadowMaps).
 
-#include "shadow_map_place.glsl"
+#include "shadow/shadow_map_place.glsl"
 
 uniform sampler2DArrayShadow shadow_maps;  // distance from the lamp to the nearest surface, over the lamp's reach
 uniform samplerBuffer shadow_casters;

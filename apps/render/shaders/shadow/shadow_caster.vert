@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A surface as a lamp sees it through one of its shadow maps, or as the directional light does (render::MoonMap).
 
-#include "shadow_map_place.glsl"
+#include "shadow/shadow_map_place.glsl"
 
 layout(location = 0) in vec3 vertex_position;
 layout(location = 3) in vec2 vertex_uv;

@@ -2,7 +2,7 @@
 // shadow_caster.frag for a material with a mask.
 
 #define main cast_shadow
-#include "shadow_caster.frag"
+#include "shadow/shadow_caster.frag"
 #undef main
 
 uniform sampler2D albedo_map;
