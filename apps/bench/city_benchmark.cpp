@@ -44,7 +44,7 @@ struct Scale {
   std::vector<double> visibilities;
   std::vector<std::size_t> lights;
   std::size_t most_drawn;       ///< lights, of frames
-  std::size_t most_glowing;     ///< lights, of frames by airlight
+  std::size_t most_airlit;      ///< lights, of frames by airlight
   std::size_t drawn_in_flight;  ///< lights
   int flight_frames;
   int still_frames;
@@ -233,16 +233,16 @@ class CityTrials {
   }
 
   /// A frame from the scene's camera with the airlight of the first `count` lights in view.
-  void measure_glow(double visibility, std::size_t count) {
+  void measure_airlight(double visibility, std::size_t count) {
     scene::Scene scene = city_;
     const ViewFrustum frustum(view_of(scene.camera, kInfinity));
     std::erase_if(scene.lights, [&](const PlacedLight& light) { return !frustum.can_see(light.position, 0); });
     scene.lights.resize(std::min(count, scene.lights.size()));
     const auto renderer = renderer_of(scene, visibility, render::FogLighting::airlight);
-    Trial& glow = add("frame-airlight", visibility, count);
+    Trial& frame = add("frame-airlight", visibility, count);
     for (int i = 0; i < scale_.still_frames; ++i) {
-      glow.matter.push_back(double(renderer->draw().airlights_drawn));
-      time_frame(glow, *renderer);
+      frame.matter.push_back(double(renderer->draw().airlights_drawn));
+      time_frame(frame, *renderer);
     }
   }
 
@@ -331,7 +331,7 @@ Result measure_city(bool quick) {
       if (lights > scale.most_drawn) continue;
       progress.show(fmt::format("{}: frames with {} lights", name, lights));
       trials.measure_frames(visibility, lights);
-      if (lights <= scale.most_glowing) trials.measure_glow(visibility, lights);
+      if (lights <= scale.most_airlit) trials.measure_airlight(visibility, lights);
     }
     progress.show(fmt::format("{}: flight", name));
     trials.measure_flight(visibility);

@@ -22,7 +22,7 @@ TEST(ShaderLibrary, LibraryHoldsTheInstalledFiles) {
   const std::set<std::string_view> expected = {"litfog/shaders/airlight.glsl",     "litfog/shaders/airlight_bound.glsl",
                                                "litfog/shaders/cone_profile.glsl", "litfog/shaders/expm1.glsl",
                                                "litfog/shaders/fog.glsl",          "litfog/shaders/formulas.glsl",
-                                               "litfog/shaders/glow.glsl",         "litfog/shaders/light.glsl",
+                                               "litfog/shaders/light.glsl",        "litfog/shaders/light_airlight.glsl",
                                                "litfog/shaders/light_block.glsl",  "litfog/shaders/light_buffer.glsl",
                                                "litfog/shaders/phase.glsl",        "litfog/shaders/surface.glsl"};
   EXPECT_EQ(names, expected);

@@ -4,7 +4,7 @@
 #include "compose/compose.glsl"
 #include "fog_top.glsl"
 #include "light_list.glsl"
-#include "litfog/shaders/glow.glsl"
+#include "litfog/shaders/light_airlight.glsl"
 #include "pixel_direction.glsl"
 
 uniform sampler2D picture;  // lit.frag
@@ -18,8 +18,8 @@ void main() {
   vec3 direction = pixel_direction(pixel);
   float end = fog_before_sky(direction);
   float range = seen.a * end > 1.0 ? 1.0 / seen.a : end;
-  vec3 airlight = vec3(0.0);
+  vec3 sum = vec3(0.0);
   int count = int(litfog_fog.z);
-  for (int i = 0; i < count; ++i) airlight += litfog_glow(light_at(i), eye, direction, range, litfog_isotropic);
-  color = vec4(compose(seen.rgb, airlight), 1.0);
+  for (int i = 0; i < count; ++i) sum += litfog_light_airlight(light_at(i), eye, direction, range, litfog_isotropic);
+  color = vec4(compose(seen.rgb, sum), 1.0);
 }

@@ -48,7 +48,7 @@ void main() {
 )"},
                                                  {"host.frag", R"(
 #include "litfog/shaders/surface.glsl"
-#include "litfog/shaders/glow.glsl"
+#include "litfog/shaders/light_airlight.glsl"
 uniform vec3 eye;
 in vec3 position;
 flat in vec4 normal;
@@ -57,15 +57,15 @@ void main() {
   vec4 ray = litfog_ray(eye, position);
   LitfogSurface surface = LitfogSurface(position, normal.xyz, -ray.xyz, vec3(0.0), vec3(normal.w), vec3(0.0), 1.0);
   vec3 lit = litfog_ambient(surface, vec3(0.02));
-  vec3 glow = vec3(0.0);
+  vec3 airlight = vec3(0.0);
   for (int i = 0; i < int(litfog_fog.z); ++i) {
     LitfogLight light = litfog_block_light(i);
     lit += litfog_light_surface(surface, light) *
            litfog_lamp_factor(light, distance(light.position_extent.xyz, position));
-    glow += litfog_glow(light, eye, ray.xyz, ray.w, litfog_isotropic);
+    airlight += litfog_light_airlight(light, eye, ray.xyz, ray.w, litfog_isotropic);
   }
   float opacity = litfog_fog_opacity(ray.w, 1.0);
-  color = vec4(lit * (1.0 - opacity) + litfog_ambient_fog_color.rgb * opacity + glow, 1.0);
+  color = vec4(lit * (1.0 - opacity) + litfog_ambient_fog_color.rgb * opacity + airlight, 1.0);
 }
 )"}};
 

@@ -20,7 +20,7 @@ AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Fog&
       fog_(scaled(fog, light.light.density_scale)),
       brightness_(largest_phase * largest_component(light.light.color)),
       eye_range_(glm::distance(eye, light.position)) {
-  fog_.density = std::min(fog_.density, 1e6);  // as in glow.glsl
+  fog_.density = std::min(fog_.density, 1e6);  // as in light_airlight.glsl
   weight_ = weight(2 * eye_range_ / 3, eye_range_ / 3);
 }
 

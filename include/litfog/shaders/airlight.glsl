@@ -14,8 +14,9 @@
 // in which both the falloff of the lamp (of width w) and that of the fog (of rate q) are nearly straight; x0 is where
 // the lit part begins on that side. A point lamp in isotropic fog has a closed form on the plateau and takes 7 nodes
 // elsewhere, which lie closer where its light is brighter, 8 in exp2 fog; a beam takes some 20, one wider than 90
-// degrees some 28, a phase function as many as phase.glsl states, a cookie some 128 (glow.glsl chooses by what the lamp
-// can show). Each piece takes at least 5 of them and a fifth, so that a bright piece short in t is not left to one.
+// degrees some 28, a phase function as many as phase.glsl states, a cookie some 128 (light_airlight.glsl chooses by what
+// the lamp can show). Each piece takes at least 5 of them and a fifth, so that a bright piece short in t is not left to
+// one.
 //
 // Errors and what they were measured on: litfog/airlight.h. In floats they hold for cones of at least 0.02 radians, for
 // a float has too few digits of the cosine of a narrower one; the relative error holds for airlight above 1e-5.

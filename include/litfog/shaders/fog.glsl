@@ -27,13 +27,13 @@ float litfog_fog_opacity(float range, float density_scale) {
 }
 
 // Fraction of a light that passes through the fog from the lamp to a range. For single scattering
-// (litfog/shaders/glow.glsl) it dims the light that arrives at a surface.
+// (litfog/shaders/light_airlight.glsl) it dims the light that arrives at a surface.
 float litfog_lamp_factor(LitfogLight light, float range) {
   return 1.0 - litfog_fog_opacity(range, light.attenuation.w);
 }
 
 // One light's part of a fragment's fog colour: colour * cone * fog colour intensity (Steven Hales 2004, "Realtime Pixel
-// Lighting Using Fragment Programs", section "Lighting in Fog"). glow.glsl has the airlight instead.
+// Lighting Using Fragment Programs", section "Lighting in Fog"). light_airlight.glsl has the airlight instead.
 vec3 litfog_light_fog(LitfogLight light, vec3 position) {
   vec3 direction = litfog_ray(light.position_extent.xyz, position).xyz;
   return light.color_intensity.rgb * (litfog_cone(light, direction) * light.color_intensity.w);

@@ -2,7 +2,7 @@
 // The lights whose airlight is drawn: render::AirlightEntry.
 
 #include "cookie.glsl"
-#include "litfog/shaders/glow.glsl"
+#include "litfog/shaders/light_airlight.glsl"
 #include "litfog/shaders/light_buffer.glsl"
 
 uniform samplerBuffer airlight_entries;  // light, reach, bend_range, width

@@ -107,7 +107,7 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
       ranges += seen[first + run];
     }
     float range = ranges / float(run);
-    sum += litfog_glow(shown, eye, direction, range, phase) *
+    sum += litfog_light_airlight(shown, eye, direction, range, phase) *
            (0.25 * float(run) * lit_fraction(light_index, light, direction, range));
     first += run;
   } while (first < 4);

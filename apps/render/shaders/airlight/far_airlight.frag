@@ -4,7 +4,7 @@
 #include "generated/airlight_constants.glsl"
 #include "cookie.glsl"
 #include "airlight/far_airlight.glsl"
-#include "litfog/shaders/glow.glsl"
+#include "litfog/shaders/light_airlight.glsl"
 #include "litfog/shaders/light_buffer.glsl"
 #include "pixel_direction.glsl"
 
@@ -33,7 +33,7 @@ void main() {
   for (int i = 0; i < light_count; ++i) {
     LitfogLight light = litfog_buffered_light(texelFetch(far_lights, first_light + i).x);
     light.axis_profile.w = profile;
-    float density = litfog_glow_density(light);
+    float density = litfog_light_fog_density(light);
     float extent = light.position_extent.w;
     vec3 to_light = light.position_extent.xyz - eye;
     float approach = dot(to_light, direction);

@@ -3,7 +3,7 @@
 
 #include "compose/compose.glsl"
 #include "cookie.glsl"
-#include "litfog/shaders/glow.glsl"
+#include "litfog/shaders/light_airlight.glsl"
 #include "litfog/shaders/light_buffer.glsl"
 #include "scene.glsl"
 
@@ -28,7 +28,7 @@ vec3 airlight_before(vec3 position) {
     vec3 offset = to_light - clamp(dot(to_light, direction), 0.0, range) * direction;
     if (dot(offset, offset) > entry.y * entry.y) continue;
     float lit = has_shafts ? lit_fraction(index, light, direction, range) : 1.0;
-    sum += lit * litfog_glow(light, eye, direction, range, phase);
+    sum += lit * litfog_light_airlight(light, eye, direction, range, phase);
   }
   return sum + far_airlight_at(gl_FragCoord.xy, range);
 }

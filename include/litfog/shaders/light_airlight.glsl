@@ -1,55 +1,55 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: the glow of a light in the fog of the block, as the eye sees it along a ray: colour * airlight,
+// litfog: the airlight of a light in the fog of the block, as the eye sees it along a ray: colour * airlight,
 // single scattering. Surfaces are then lit through litfog_lamp_factor() (litfog/shaders/fog.glsl).
 
-#ifndef LITFOG_GLOW_GLSL
-#define LITFOG_GLOW_GLSL
+#ifndef LITFOG_LIGHT_AIRLIGHT_GLSL
+#define LITFOG_LIGHT_AIRLIGHT_GLSL
 
 #include "litfog/shaders/fog.glsl"
 
 #ifdef LITFOG_COOKIES
-// What litfog_glow_ray() leaves for litfog_airlight_cookie().
-LitfogLight litfog_glow_light;
-vec3 litfog_glow_offset;     // from the light to the ray's closest approach
-vec3 litfog_glow_direction;  // of the ray
+// What litfog_light_airlight_ray() leaves for litfog_airlight_cookie().
+LitfogLight litfog_cookie_light;
+vec3 litfog_cookie_offset;     // from the light to the ray's closest approach
+vec3 litfog_cookie_direction;  // of the ray
 #endif
 #include "litfog/shaders/airlight.glsl"
 
 #ifdef LITFOG_COOKIES
 float litfog_airlight_cookie(LitfogAirlight air, float along) {
-  return litfog_cookie(litfog_glow_light,
-                       litfog_ray(vec3(0.0), litfog_glow_offset + along * litfog_glow_direction).xyz);
+  return litfog_cookie(litfog_cookie_light,
+                       litfog_ray(vec3(0.0), litfog_cookie_offset + along * litfog_cookie_direction).xyz);
 }
 #endif
 
 // Density of the fog as the light's class sees it, 1/m. Finite: 1e6 is a visibility of micrometres.
-float litfog_glow_density(LitfogLight light) { return min(litfog_fog.x * light.attenuation.w, 1.0e6); }
+float litfog_light_fog_density(LitfogLight light) { return min(litfog_fog.x * light.attenuation.w, 1.0e6); }
 
 // The light as a ray from the eye sees it, for litfog_airlight() with as many nodes as its stated errors need.
 //
 // direction  unit, from the eye
 // range      metres along it: to the surface or to the end of the fog
 // phase      of the fog: litfog_isotropic, or another of litfog/shaders/phase.glsl
-LitfogAirlight litfog_glow_ray(LitfogLight light, vec3 eye, vec3 direction, float range, LitfogPhase phase) {
+LitfogAirlight litfog_light_airlight_ray(LitfogLight light, vec3 eye, vec3 direction, float range, LitfogPhase phase) {
   vec3 to_light = light.position_extent.xyz - eye;
   float approach = dot(to_light, direction);
   vec3 offset = approach * direction - to_light;
 #ifdef LITFOG_COOKIES
-  litfog_glow_light = light;
-  litfog_glow_offset = offset;
-  litfog_glow_direction = direction;
+  litfog_cookie_light = light;
+  litfog_cookie_offset = offset;
+  litfog_cookie_direction = direction;
 #endif
-  float density = litfog_glow_density(light);
+  float density = litfog_light_fog_density(light);
   return LitfogAirlight(density, litfog_fog_mode(), 1.0, phase, light.attenuation.x, light.attenuation.y,
                         light.attenuation.z, light.position_extent.w, light.axis_profile.w, light.cone.x, light.cone.y,
                         range, approach, length(offset), dot(offset, light.axis_profile.xyz),
                         dot(direction, light.axis_profile.xyz), 0.0);
 }
 
-// The glow along a ray of litfog_glow_ray().
-vec3 litfog_glow(LitfogLight light, vec3 eye, vec3 direction, float range, LitfogPhase phase) {
+// The light's airlight along a ray of litfog_light_airlight_ray().
+vec3 litfog_light_airlight(LitfogLight light, vec3 eye, vec3 direction, float range, LitfogPhase phase) {
   vec3 color = light.color_intensity.rgb;
-  LitfogAirlight air = litfog_glow_ray(light, eye, direction, range, phase);
+  LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range, phase);
   air.nodes = litfog_airlight_nodes(air);
   // A light that adds little along this ray needs few nodes. Relative errors are some 3 % with 4 nodes and 0.5 % with 6
   // for a point light, and some 10 % with 4, 2 % with 8 and 0.3 % with 12 for others. A cookie's fall with the square of
