@@ -7,10 +7,10 @@
 
 namespace litfog {
 
-/// How the fog factor (transmittance) f falls with range.
+/// How the fog factor (transmittance) f falls with range. The shaders and C have its numbers.
 enum class FogMode {
-  exp,   ///< f(r) = e^(-d r)
-  exp2,  ///< f(r) = e^(-(d r)^2)
+  exp = 0,   ///< f(r) = e^(-d r)
+  exp2 = 1,  ///< f(r) = e^(-(d r)^2)
 };
 
 /// "exp" or "exp2".

@@ -37,7 +37,7 @@ struct FogLightInstance {
 
 /// The fog: the first members of the uniform block.
 struct FogHeader {
-  glm::vec4 fog;                ///< x density (1/m), y mode: 0 exp, 1 exp2, z number of instances in the block, w 0
+  glm::vec4 fog;                ///< x density (1/m), y FogMode, z number of instances in the block, w 0
   glm::vec4 ambient_fog_color;  ///< rgb linear, w 0
 };
 

@@ -22,6 +22,7 @@ using std::sqrt;
 #define litfog_attenuation attenuation
 #define litfog_depth_exp depth_exp
 #define litfog_depth_exp2 depth_exp2
+#define litfog_is_exp is_exp
 #define litfog_opacity opacity
 #define litfog_cosine_cone cosine_cone
 #define litfog_smoothstep_cone smoothstep_cone
@@ -39,6 +40,7 @@ using std::sqrt;
 #undef litfog_attenuation
 #undef litfog_depth_exp
 #undef litfog_depth_exp2
+#undef litfog_is_exp
 #undef litfog_opacity
 #undef litfog_cosine_cone
 #undef litfog_smoothstep_cone

@@ -81,7 +81,7 @@ long double integrate_airlight(Text<long double, Cookie> text,
   if (air.density == 0 || air.offset >= air.extent) return 0;
   const long double chord = text.litfog_airlight_chord(air, air.extent);
   const long double fog_scale = 1 / air.density;
-  const long double reach = (air.mode == 0 ? 11400 : 107) * fog_scale;  // beyond, e^-depth is 0 in long double
+  const long double reach = (formulas::is_exp(air.mode) ? 11400 : 107) * fog_scale;  // beyond, e^-depth is 0
   const long double low = std::max(-air.approach, -chord);
   const long double high = std::min({air.ray_length - air.approach, chord, reach - air.approach});
   if (!(high > low)) return 0;
@@ -96,7 +96,7 @@ long double integrate_airlight(Text<long double, Cookie> text,
   const long double falloff =
       text.litfog_airlight_chord(air, text.litfog_airlight_level(air, 2 * std::max(1.0L, denominator)));
   if (falloff > 0) scale = std::min(scale, falloff);
-  if (air.mode != 0) cuts.push_back((air.lamp_leg != 0 ? -0.5L : -1.0L) * air.approach);
+  if (!formulas::is_exp(air.mode)) cuts.push_back((air.lamp_leg != 0 ? -0.5L : -1.0L) * air.approach);
   if (formulas::litfog_has_cone(air.profile)) {
     for (const long double cosine :
          {air.cone_x, formulas::litfog_cone_has_inner_edge(air.profile) ? air.cone_y : air.cone_x}) {

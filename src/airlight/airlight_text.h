@@ -50,10 +50,12 @@ struct Text {
 #define LITFOG_CONSTANT static constexpr
 #define litfog_expm1 std::expm1
 #define litfog_denominator formulas::denominator
+#define litfog_is_exp formulas::is_exp
 #define litfog_attenuation formulas::attenuation
 #include "litfog/shaders/airlight.glsl"  // undefines LITFOG_REAL and LITFOG_CONSTANT
 #undef litfog_expm1
 #undef litfog_denominator
+#undef litfog_is_exp
 #undef litfog_attenuation
 #undef LITFOG_COOKIES
 
@@ -72,7 +74,7 @@ struct Text {
     const Vector offset = glm::cross(cross_without_cancellation(to_light, stated), stated) / glm::dot(stated, stated);
     LitfogAirlight air{};
     air.density = Real(class_fog.density);
-    air.mode = class_fog.mode == FogMode::exp ? 0 : 1;
+    air.mode = Real(class_fog.mode);
     air.lamp_leg = lamp_leg == LampLeg::fogged ? 1 : 0;
     air.phase = phase;
     air.constant = Real(light.attenuation.constant);

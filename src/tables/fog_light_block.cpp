@@ -53,7 +53,7 @@ FogHeader pack_fog_header(const Atmosphere& atmosphere, std::size_t instances) {
   require(find_error(atmosphere));
   require_fog_light_count("instances", instances);
   const Fog& fog = atmosphere.fog;
-  return {.fog = {finite_float(fog.density), fog.mode == FogMode::exp2 ? 1.0f : 0.0f, float(instances), 0.0f},
+  return {.fog = {finite_float(fog.density), float(fog.mode), float(instances), 0.0f},
           .ambient_fog_color = glm::vec4(finite_floats(atmosphere.ambient_fog_color), 0.0f)};
 }
 

@@ -60,7 +60,7 @@ double AirlightBound::k() const {
 }
 
 double AirlightBound::weight(double seen, double lit) const {
-  return formulas::litfog_largest_fog_weight(fog_.mode == FogMode::exp ? 0.0 : 1.0, fog_.density, seen, lit);
+  return formulas::litfog_largest_fog_weight(double(fog_.mode), fog_.density, seen, lit);
 }
 
 }  // namespace litfog::render

@@ -14,9 +14,9 @@
 // in which both the falloff of the lamp (of width w) and that of the fog (of rate q) are nearly straight; x0 is where
 // the lit part begins on that side. A point lamp in isotropic fog has a closed form on the plateau and takes 7 nodes
 // elsewhere, which lie closer where its light is brighter, 8 in exp2 fog; a beam takes some 20, one wider than 90
-// degrees some 28, a phase function as many as phase.glsl states, a cookie some 128 (light_airlight.glsl chooses by what
-// the lamp can show). Each piece takes at least 5 of them and a fifth, so that a bright piece short in t is not left to
-// one.
+// degrees some 28, a phase function as many as phase.glsl states, a cookie some 128 (light_airlight.glsl chooses by
+// what the lamp can show). Each piece takes at least 5 of them and a fifth, so that a bright piece short in t is not
+// left to one.
 //
 // Errors and what they were measured on: litfog/airlight.h. In floats they hold for cones of at least 0.02 radians, for
 // a float has too few digits of the cosine of a narrower one; the relative error holds for airlight above 1e-5.
@@ -43,7 +43,7 @@
 // A lamp as a ray sees it, and the fog.
 struct LitfogAirlight {
   LITFOG_REAL density;       // of the fog as the lamp's class sees it, 1/m
-  LITFOG_REAL mode;          // 0 exp, 1 exp2
+  LITFOG_REAL mode;          // of the fog: litfog_is_exp()
   LITFOG_REAL lamp_leg;      // k: 1 where the light loses f(r) on its way from the lamp, 0 where it does not
   LitfogPhase phase;
   LITFOG_REAL constant;      // of the attenuation
@@ -139,7 +139,7 @@ LITFOG_REAL litfog_airlight_integrand(LitfogAirlight air, LITFOG_REAL along) {
   LITFOG_REAL seen = max(air.approach + along, LITFOG_REAL(0.0));
   LITFOG_REAL lit = air.lamp_leg * range;
   LITFOG_REAL weight;
-  if (air.mode == LITFOG_REAL(0.0)) {
+  if (litfog_is_exp(air.mode)) {
     weight = exp(-air.density * (seen + lit));
   } else {
     LITFOG_REAL x = air.density * seen;
@@ -188,7 +188,7 @@ LITFOG_REAL litfog_erf(LITFOG_REAL x) {
 // v = d (x + r) turns it into e^(-d approach - v) (1 + (d offset)^2 / v^2) / 2 dv.
 LITFOG_REAL litfog_airlight_plateau(LitfogAirlight air, LITFOG_REAL along) {
   LITFOG_REAL d = air.density;
-  if (air.mode == LITFOG_REAL(0.0)) {
+  if (litfog_is_exp(air.mode)) {
     if (air.lamp_leg == LITFOG_REAL(0.0))
       return litfog_expm1(-d * max(air.approach + along, LITFOG_REAL(0.0))) * LITFOG_REAL(-1.0);
     LITFOG_REAL larger = litfog_airlight_range(air, along) + abs(along);
@@ -287,7 +287,7 @@ LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
     // A far lamp may make two peaks: the fog before the eye and that around the lamp. In exp fog with the lamp's leg
     // fogged all fog between them is as bright.
     LITFOG_REAL depth = air.density * air.approach;
-    if (air.mode != LITFOG_REAL(0.0)) {
+    if (!litfog_is_exp(air.mode)) {
       return depth > LITFOG_REAL(2.5) && depth < LITFOG_REAL(6.0) ? LITFOG_REAL(16.0) : LITFOG_REAL(8.0);
     }
     return air.lamp_leg == LITFOG_REAL(0.0) && depth > LITFOG_REAL(2.5) ? LITFOG_REAL(24.0) : LITFOG_REAL(7.0);
@@ -326,7 +326,7 @@ LITFOG_REAL litfog_airlight_t(LitfogAirlightSide side, LITFOG_REAL x) {
 // eye and lamp, from where most of the light of a far lamp comes, and t alone has hardly a node there.
 LITFOG_REAL litfog_airlight_rate(LitfogAirlight air, LitfogAirlightSide side) {
   LITFOG_REAL along = side.anchor + side.direction * side.nearest;
-  if (air.mode != LITFOG_REAL(0.0)) {
+  if (!litfog_is_exp(air.mode)) {
     LITFOG_REAL legs = air.approach + along + air.lamp_leg * along;
     LITFOG_REAL rate = side.direction * LITFOG_REAL(2.0) * air.density * air.density * legs;
     return rate > LITFOG_REAL(0.0) ? LITFOG_REAL(0.6) * rate
@@ -341,7 +341,7 @@ LITFOG_REAL litfog_airlight_rate(LitfogAirlight air, LitfogAirlightSide side) {
 // the ratio of its brightness per t where it begins to that where it ends, the fog left out. Where exp2 fog brightens a
 // side towards the eye, nodes lie closer at its end.
 LITFOG_REAL litfog_airlight_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL end) {
-  if (air.mode != LITFOG_REAL(0.0) && side.rate < LITFOG_REAL(0.0)) return LITFOG_REAL(-0.32);
+  if (!litfog_is_exp(air.mode) && side.rate < LITFOG_REAL(0.0)) return LITFOG_REAL(-0.32);
   LITFOG_REAL begins = litfog_airlight_range(air, side.nearest);
   LITFOG_REAL ends = litfog_airlight_range(air, side.nearest + end);
   LITFOG_REAL fall = litfog_attenuation(begins, air.constant, air.linear, air.quadratic) /
@@ -383,7 +383,7 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
     side.part = sqrt(side.size);
     if (litfog_airlight_is_plain(air)) {
       side.bend = litfog_airlight_bend(air, side, end);
-      if (air.mode != LITFOG_REAL(0.0)) side.part *= sqrt(side.part);
+      if (!litfog_is_exp(air.mode)) side.part *= sqrt(side.part);
     }
   }
   return side;
@@ -561,7 +561,7 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
   // Fog that scatters backwards is brighter far behind the lamp. So is fog that scatters forwards before the lamp, which
   // lies within the reach but in exp fog with a clear lamp leg.
   LITFOG_REAL depths = litfog_backward_depths(air.phase);
-  if (air.mode == LITFOG_REAL(0.0)) {
+  if (litfog_is_exp(air.mode)) {
     // With a clear leg, the fog around a far lamp counts by how much brighter the lamp makes it than that at the eye.
     LITFOG_REAL nearest = litfog_airlight_range(air, clamp(LITFOG_REAL(0.0), low, high));
     LITFOG_REAL first = litfog_airlight_range(air, low);
@@ -598,7 +598,7 @@ LITFOG_REAL litfog_airlight_bound(LitfogAirlight air, LitfogAirlightStretch stre
   LITFOG_REAL size = stretch.high - stretch.low;
   LITFOG_REAL nearest = litfog_airlight_range(air, clamp(LITFOG_REAL(0.0), stretch.low, stretch.high));
   LITFOG_REAL lit = nearest;
-  if (air.mode == LITFOG_REAL(0.0)) {
+  if (litfog_is_exp(air.mode)) {
     size = min(size, max(-stretch.low, LITFOG_REAL(0.0)) + LITFOG_REAL(1.0) / air.density);
     lit = litfog_airlight_range(air, stretch.low);
   }

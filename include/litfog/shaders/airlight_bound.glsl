@@ -7,13 +7,13 @@
 #define LITFOG_AIRLIGHT_BOUND_GLSL
 
 #ifndef __cplusplus
-#include "litfog/shaders/expm1.glsl"
+#include "litfog/shaders/formulas.glsl"
 #define LITFOG_REAL float
 #define LITFOG_FUNCTION
 #endif
 
-// An upper bound of the fog's weight -f'(s) f(r)^k, 1/m, where s + k r (exp fog, mode 0) or s^2 / 2 + k r^2 (exp2 fog,
-// mode 1) is at least that of two distances: `seen` in place of s, and `lit` in place of k r.
+// An upper bound of the fog's weight -f'(s) f(r)^k, 1/m, where s + k r (exp fog) or s^2 / 2 + k r^2 (exp2 fog) is at
+// least that of two distances: `seen` in place of s, and `lit` in place of k r.
 //
 // Proof. In exp fog the weight is d e^(-d (s + k r)). In exp2 fog it is 2 d^2 s e^(-(d s)^2 - k (d r)^2), and
 // 2 x e^(-x^2 / 2) <= 1.2131.
@@ -23,7 +23,7 @@
 // Depths above 80 count as 80, so that an endless light is bounded, too.
 LITFOG_FUNCTION LITFOG_REAL litfog_largest_fog_weight(LITFOG_REAL mode, LITFOG_REAL density, LITFOG_REAL seen,
                                                       LITFOG_REAL lit) {
-  if (mode == LITFOG_REAL(0.0)) return density * exp(-min(density * (seen + lit), LITFOG_REAL(80.0)));
+  if (litfog_is_exp(mode)) return density * exp(-min(density * (seen + lit), LITFOG_REAL(80.0)));
   LITFOG_REAL x = density * seen;
   LITFOG_REAL y = density * lit;
   return density * (LITFOG_REAL(1.2131) * exp(-min(LITFOG_REAL(0.5) * x * x + y * y, LITFOG_REAL(80.0))));

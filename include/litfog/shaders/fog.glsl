@@ -12,7 +12,7 @@
 
 #include "litfog/shaders/light_block.glsl"
 
-// 0 exp, 1 exp2.
+// As litfog_is_exp() takes it.
 #ifdef LITFOG_FOG_MODE
 float litfog_fog_mode() { return LITFOG_FOG_MODE; }
 #else
@@ -22,8 +22,8 @@ float litfog_fog_mode() { return litfog_fog.y; }
 // Opacity 1 - f of the fog over a range. density_scale is a light's for the fog that its class sees, 1 for surfaces.
 float litfog_fog_opacity(float range, float density_scale) {
   float density = min(litfog_fog.x * density_scale, 3.4e38);  // finite, because infinity gives NaN at range 0
-  bool is_exp = litfog_fog_mode() == 0.0;
-  return litfog_opacity(is_exp ? litfog_depth_exp(range, density) : litfog_depth_exp2(range, density));
+  return litfog_opacity(litfog_is_exp(litfog_fog_mode()) ? litfog_depth_exp(range, density)
+                                                         : litfog_depth_exp2(range, density));
 }
 
 // Fraction of a light that passes through the fog from the lamp to a range. For single scattering

@@ -32,6 +32,9 @@ LITFOG_FUNCTION LITFOG_REAL litfog_depth_exp2(LITFOG_REAL range, LITFOG_REAL den
   return (density * range) * (density * range);
 }
 
+// Whether a fog's mode, a number as FogMode has it (litfog/fog.h), is exp; else it is exp2
+LITFOG_FUNCTION bool litfog_is_exp(LITFOG_REAL mode) { return mode == LITFOG_REAL(0.0); }
+
 // 1 - e^-depth without cancellation
 LITFOG_FUNCTION LITFOG_REAL litfog_opacity(LITFOG_REAL depth) { return -litfog_expm1(-depth); }
 

@@ -21,7 +21,7 @@ layout(set = LITFOG_SET, binding = LITFOG_BLOCK_BINDING, std140) uniform LitfogL
 #else
 layout(std140) uniform LitfogLightBlock {
 #endif
-  vec4 litfog_fog;  // x density, y mode: 0 exp, 1 exp2, z number of lights
+  vec4 litfog_fog;  // x density, y mode as litfog_is_exp() takes it, z number of lights
   vec4 litfog_ambient_fog_color;
   LitfogKind litfog_kinds[LITFOG_MAX_LIGHTS];
   LitfogInstance litfog_instances[LITFOG_MAX_LIGHTS];

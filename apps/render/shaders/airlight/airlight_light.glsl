@@ -48,7 +48,7 @@ vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
   float density = litfog_fog.x;
   float scale = light.attenuation.w;
   // -f' of the light's fog over that of the scene's. The more scattered light is lost, the less it matters.
-  float weight = litfog_fog_mode() == 0.0
+  float weight = litfog_is_exp(litfog_fog_mode())
                      ? scale * exp(min((1.0 - scale) * density * range, 8.0))
                      : scale * scale * exp(min((1.0 - scale * scale) * pow(density * range, 2.0), 8.0));
   vec3 lit = litfog_light_along(light, ray) * (litfog_lamp_factor(light, ray.w) * weight) *

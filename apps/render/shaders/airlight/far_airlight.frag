@@ -18,7 +18,7 @@ layout(location = 0) out vec4 sums[slabs_at_once];
 
 // The fog's -f'(s) f(r), 1/m.
 float fog_weight(float density, float seen, float range) {
-  if (litfog_fog_mode() == 0.0) return density * exp(-density * (seen + range));
+  if (litfog_is_exp(litfog_fog_mode())) return density * exp(-density * (seen + range));
   float x = density * seen;
   float y = density * range;
   return 2.0 * density * x * exp(-x * x - y * y);
