@@ -57,6 +57,7 @@ PlacedLight View::drawn_light(std::size_t light) const {
   if (fog_lighting_ == render::FogLighting::peak) return drawn;
   drawn.carried = false;  // Hales's term is not for it
   // The page has few lamps, so that none needs an end that a larger exposure would show.
+  drawn.light = photometric(drawn.light);
   drawn.light.threshold = render::airlight_threshold(drawn.light, kMaxExposure);
   return drawn;
 }

@@ -70,7 +70,7 @@ std::string draw_fog_picture(const Light& light) {
     for (int y = 0; y < kFogPictureHeight; ++y) {
       const int mirrored = std::min(y, kFogPictureHeight - 1 - y);
       for (int x = 0; x < kFogPictureWidth; ++x) {
-        const double value = kExposure * airlights[std::size_t(mirrored * kFogPictureWidth + x)];
+        const double value = kExposure * kAirlightUnit * airlights[std::size_t(mirrored * kFogPictureWidth + x)];
         const int column = view * (kFogPictureWidth + kGap) + x;
         std::uint16_t* const pixel = &pixels[std::size_t((y * kRowPixels + column) * kChannels)];
         for (int i = 0; i < kChannels; ++i) pixel[i] = linear_level(value * light.color[i]);

@@ -161,15 +161,15 @@ glm::dvec3 PathModel::airlight(const glm::dvec3& direction, double length) const
   };
   std::vector<Candidate> candidates;
   for (const ReferenceLight& light : lights_) {
-    const glm::dvec3& color = light.placed.light.color;
-    const double most = airlight_bound(light, ray, atmosphere_.phase) * render::largest_component(color);
+    const double brightest = kAirlightUnit * render::largest_component(light.placed.light.color);
+    const double most = brightest * airlight_bound(light, ray, atmosphere_.phase);
     if (most > 0) candidates.push_back({most, &light});
   }
   std::ranges::sort(candidates, {}, &Candidate::most);
   double left_out = 0;
   for (const auto& [most, light] : candidates) {
     left_out += most;
-    if (left_out > airlight_budget_) sum += light->placed.light.color * airlight(*light, ray);
+    if (left_out > airlight_budget_) sum += kAirlightUnit * airlight(*light, ray) * light->placed.light.color;
   }
   return sum;
 }

@@ -35,12 +35,12 @@ std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const At
   std::vector<ReferenceLight> lights;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     PlacedLight placed = scene.lights[i];
-    placed.light.threshold = render::threshold_of(placed.light, settings, exposure);
-    placed.light.cone = render::drawn_cone(placed.light.cone, settings);
+    placed.light = render::drawn_light(placed.light, settings, exposure);
     const Light& light = placed.light;
     // Beyond a light's end a(r) is below the threshold, and the fog's weights along a ray sum to less than 1.
     const double each = kCutOff * std::exp2(-exposure) / double(scene.lights.size());
-    const double brightest = render::largest_component(light.color) * largest_phase(atmosphere.phase);
+    const double brightest =
+        kAirlightUnit * render::largest_component(light.color) * largest_phase(atmosphere.phase);
     const double fog_threshold =
         has_far_ends && brightest > 0 ? std::min(light.threshold, each / brightest) : light.threshold;
     const double extent = compute_extent(light.attenuation, light.threshold);

@@ -14,7 +14,7 @@ namespace litfog::measure {
 
 /// A light of a scene in double, with everything that does not depend on the position it lights.
 struct ReferenceLight {
-  PlacedLight placed;            ///< its threshold is that of the renderer (render::threshold_of)
+  PlacedLight placed;            ///< as render::drawn_light has it
   double extent;                 ///< metres, on surfaces
   double fog_threshold;          ///< where it ends in the fog
   double fog_extent;             ///< metres: that end

@@ -96,7 +96,7 @@ class Renderer {
   const glm::dvec3& origin() const { return lights_.origin(); }
   const Atmosphere& atmosphere() const { return atmosphere_; }
   double exposure() const { return exposure_; }                ///< EV
-  double ends_exposure() const { return lights_.exposure(); }  ///< EV for which lights' ends are chosen (threshold_of)
+  double ends_exposure() const { return lights_.exposure(); }  ///< EV for which lights' ends are chosen (drawn_light)
   const RenderSettings& settings() const { return settings_; }
   int width() const { return framebuffer_.width(); }
   int height() const { return framebuffer_.height(); }

@@ -52,6 +52,10 @@ inline constexpr double kExp2PhotometricAirlightMaxError = 0.035;
 inline constexpr double kDimPhotometricAirlight = 1e-3;
 inline constexpr double kDimAirlight = 1e-10;
 
+/// What a picture shows of a colour times its airlight. A white surface that a lamp lights by E lux at right angles shows
+/// E / pi to the eye, and isotropic fog that scatters all it takes E / (4 pi).
+inline constexpr double kAirlightUnit = 0.25;
+
 /// Airlight of a light along a ray: the fraction that the fog scatters into the eye, a factor of the light's colour,
 ///   A = integral over s in [0, D] of  -f'(s) a(r) cone(u) f(r)^k phase(theta)  ds
 /// where s is the distance from the eye, r and u are range and angle from the light, theta is the angle of scattering,

@@ -61,13 +61,14 @@ TEST(AirlightList, RayBeyondTheReachShowsLessThanTheBudget) {
     const AirlightList found = list(c.light, c.atmosphere, c.ray.origin);
     const double reach = found.entries.empty() ? 0 : double(found.entries.front().reach);
     listed += int(found.entries.size());
-    light.threshold = threshold_of(light, {.fog_lighting = FogLighting::airlight});
+    light = drawn_light(light, {.fog_lighting = FogLighting::airlight});
     c.ray.length = std::numeric_limits<double>::infinity();
     for (int ray = 0; ray < 5; ++ray) {
       c.ray.direction = draw_direction(random);
       if (!(passing_range(c.light, c.ray) > reach * (1 + 1e-6))) continue;
       ++beyond;
-      EXPECT_LE(light.color.r * reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg), budget * (1 + 1e-9))
+      EXPECT_LE(kAirlightUnit * light.color.r * reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg),
+                budget * (1 + 1e-9))
           << to_string(c) << ", reach " << reach;
     }
   }

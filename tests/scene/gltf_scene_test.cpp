@@ -122,38 +122,25 @@ TEST_F(GltfScene, ABinaryFileAndOneWithItsBufferBesideItAreTheSame) {
   }
 }
 
-// I / (pi r^2) of the display's white on a white surface, up to 16 times the white.
-TEST_F(GltfScene, APointLightFallsWithTheSquareOfRangeFromItsKnee) {
-  const Scene scene = read(floor_scene());
-  ASSERT_EQ(scene.lights.size(), 1u);
-  const Light& light = scene.lights[0].light;
-  EXPECT_EQ(light.name, "lamp");
-  for (const double range : {1.0, 3.0, 20.0, 70.0}) {
-    const glm::dvec3 arriving = light.color * attenuation_at(light.attenuation, range);
-    EXPECT_LT(glm::distance(arriving, glm::dvec3(1, 0.5, 0.25) * 40.0 / (pi * range * range)), 1e-12) << range;
-  }
-  EXPECT_NEAR(light.color.r * attenuation_at(light.attenuation, 0), 16, 1e-12);
-  EXPECT_NEAR(compute_knee(light.attenuation), std::sqrt(40 / (16 * pi)), 1e-12);
-  const double reach = compute_extent(light.attenuation, light.threshold);
-  EXPECT_NEAR(40 / (pi * reach * reach), 1.0 / 512, 1e-12);  // half of 1/256
-  EXPECT_FALSE(scene.lights[0].carried);
-}
-
-// An ordinary Blender street lamp, 800 W: a knee of 29 m, where it shows 16 times the white, would light all alike.
-TEST_F(GltfScene, ABrightLampFallsWithTheSquareOfRangeFromOneMetreOn) {
+TEST_F(GltfScene, APointLightHasItsCandela) {
   json file = floor_scene();
   json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
-  for (const double intensity : {50.3, 900.0, 31'415.0, 43'481.0}) {
+  for (const double intensity : {0.01, 40.0, 900.0, 1e6, 1e10}) {
     light["intensity"] = intensity;
-    const Light given = read(file).lights.at(0).light;
-    for (const double range : {1.2, 6.0, 100.0}) {
-      const double arriving = given.color.r * attenuation_at(given.attenuation, range);
-      EXPECT_NEAR(arriving, intensity / (pi * range * range), 1e-12 * intensity) << intensity;
+    const PlacedLight placed = read(file).lights.at(0);
+    EXPECT_EQ(placed.light.name, "lamp");
+    EXPECT_FALSE(placed.carried);
+    EXPECT_LT(glm::distance(candela(placed.light), glm::dvec3(1, 0.5, 0.25) * intensity), 1e-14 * intensity);
+    EXPECT_EQ(placed.light.source_radius, intensity == 0.01 ? 0.5 * std::sqrt(0.01 / 20) : 0.05);
+    const Light near = photometric(placed.light);
+    for (const double range : {0.0, 0.1, 1.0, 70.0}) {
+      const double square = range * range + placed.light.source_radius * placed.light.source_radius;
+      EXPECT_NEAR(kWhiteLux * near.color.r * attenuation_at(near.attenuation, range) * square / intensity, 1, 1e-12);
     }
-    const double reach = compute_extent(given.attenuation, given.threshold);
-    EXPECT_NEAR(intensity / (pi * reach * reach), 1.0 / 512, 1e-12) << intensity;
-    EXPECT_LE(given.color.r, kMaxColor * (1 + 1e-15)) << intensity;
+    EXPECT_EQ(placed.light.threshold, 1.0 / 512) << "half of 1/256";
   }
+  light["intensity"] = 1e30;
+  EXPECT_EQ(error_of(file), "extensions.KHR_lights_punctual.lights[0].intensity = 1e+30: must be at most 10000000000");
 }
 
 TEST_F(GltfScene, ALightEndsAtItsRange) {
@@ -164,8 +151,7 @@ TEST_F(GltfScene, ALightEndsAtItsRange) {
     const Scene scene = read(file);
     const Light& given = scene.lights.at(0).light;
     EXPECT_NEAR(compute_extent(given.attenuation, given.threshold), range, 1e-12 * range);
-    EXPECT_NEAR(given.color.r * attenuation_at(given.attenuation, range * 0.9), 40 / (pi * range * range * 0.81),
-                1e-9 / (range * range));
+    EXPECT_NEAR(candela(given).r, 40, 1e-12);
   }
 }
 
@@ -188,7 +174,7 @@ TEST_F(GltfScene, ADirectionalLightIsTheMoon) {
   file["extensions"]["KHR_lights_punctual"]["lights"][0] = {{"type", "directional"}, {"intensity", 0.2}};
   const Scene scene = read(file);
   EXPECT_TRUE(scene.lights.empty());
-  EXPECT_NEAR(double(scene.environment.moon_color.r), 0.2 / pi, 1e-8);
+  EXPECT_NEAR(double(scene.environment.moon_color.r), 0.2 / 20, 1e-9);
   EXPECT_LT(glm::distance(scene.environment.moon_direction, glm::vec3(0, 0, 1)), 1e-6f);
 }
 
@@ -201,7 +187,7 @@ TEST_F(GltfScene, TheBrightestOfSeveralDirectionalLightsIsTheMoon) {
     lights.push_back({{"type", "directional"}, {"intensity", lux}});
   }
   const Scene scene = read(file);
-  EXPECT_NEAR(double(scene.environment.moon_color.r), 3 / pi, 1e-6);
+  EXPECT_NEAR(double(scene.environment.moon_color.r), 3. / 20, 1e-7);
   EXPECT_EQ(scene.left_out, "2 directional lights but for the brightest");
 }
 
@@ -214,7 +200,7 @@ TEST_F(GltfScene, ADirectionalLightLightsFogAndSky) {
       {"type", "directional"}, {"intensity", 68'300}, {"color", {1, 0.9, 0.8}}};
   const Scene day_scene = read(file);
   const Environment& day = day_scene.environment;
-  const glm::vec3 scattered = glm::vec3(1, 0.9f, 0.8f) * float(68'300 / (4 * pi));
+  const glm::vec3 scattered = glm::vec3(1, 0.9f, 0.8f) * float(68'300 / (4 * 20.));
   const auto expect_near = [](const glm::vec3& actual, const glm::vec3& expected) {
     EXPECT_LT(glm::distance(actual, expected), 1e-6f * glm::length(expected));
   };
@@ -229,12 +215,12 @@ TEST_F(GltfScene, ASunIsTakenUpToTheEndOfHalfFloats) {
   json file = floor_scene();
   json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
   light = {{"type", "directional"}, {"intensity", 68'300}};
-  EXPECT_NEAR(double(read(file).environment.moon_color.r), 68'300 / pi, 1e-2);
-  light["intensity"] = 205'786;
+  EXPECT_NEAR(double(read(file).environment.moon_color.r), 68'300 / 20., 1e-2);
+  light["intensity"] = 1'310'080;
   EXPECT_LE(read(file).environment.moon_color.r, 65'504.0f);
-  light["intensity"] = 205'787;
+  light["intensity"] = 1'310'081;
   EXPECT_EQ(error_of(file),
-            "extensions.KHR_lights_punctual.lights[0].intensity = 205787: must not show more than 65504 times the "
+            "extensions.KHR_lights_punctual.lights[0].intensity = 1310081: must not show more than 65504 times the "
             "display's white");
 }
 

@@ -86,7 +86,9 @@ double sky_error(const std::vector<std::uint8_t>& pixels, const std::vector<litf
       const glm::dvec3 at{((x + 0.5) / kWidth * 2 - 1) * kTangents.x, ((y + 0.5) / kHeight * 2 - 1) * kTangents.y, -1};
       const litfog::EyeRay ray{kEye, glm::normalize(at), kBackdrop * glm::length(at)};
       glm::dvec3 sky = kFogColor * litfog::opacity_at(fog, ray.length);
-      for (const auto& light : lights) sky += light.light.color * litfog::airlight(light, {fog}, ray);
+      for (const auto& light : lights) {
+        sky += litfog::kAirlightUnit * litfog::airlight(light, {fog}, ray) * light.light.color;
+      }
       for (int i = 0; i < 3; ++i) {
         const double drawn = pixels[std::size_t((y * kWidth + x) * 3 + i)];
         largest = std::max(largest, std::abs(drawn - 255 * std::min(sky[i], 1.0)));

@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <numbers>
 
+#include "litfog/airlight.h"
 #include "litfog/attenuation.h"
 #include "litfog/formulas.h"
 #include "render/light/hidden_range.h"
@@ -18,7 +19,7 @@ AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Fog&
     : attenuation_(light.light.attenuation),
       extent_(extent),
       fog_(scaled(fog, light.light.density_scale)),
-      brightness_(largest_phase * largest_component(light.light.color)),
+      brightness_(kAirlightUnit * largest_phase * largest_component(light.light.color)),
       eye_range_(glm::distance(eye, light.position)) {
   fog_.density = std::min(fog_.density, 1e6);  // as in light_airlight.glsl
   weight_ = weight(2 * eye_range_ / 3, eye_range_ / 3);

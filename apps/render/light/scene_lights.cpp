@@ -27,12 +27,13 @@ bool lights_surfaces_beyond_end(const RenderSettings& settings) {
   return lights_fog_beyond_end(settings) && settings.path->evaluation == Evaluation::fragment;
 }
 
-double threshold_of(const Light& light, const RenderSettings& settings, double exposure) {
-  return lights_fog_beyond_end(settings) ? airlight_threshold(light, exposure) : light.threshold;
-}
-
-Cone drawn_cone(const Cone& cone, const RenderSettings& settings) {
-  return settings.path->maps == LightMapSet::none ? cone : mapped_cone(cone, settings.papers.cone_maps);
+Light drawn_light(const Light& light, const RenderSettings& settings, double exposure) {
+  const bool is_airlight = settings.fog_lighting == FogLighting::airlight;
+  const bool has_maps = settings.path->maps != LightMapSet::none;
+  Light drawn = is_airlight && !has_maps ? photometric(light) : light;
+  if (lights_fog_beyond_end(settings)) drawn.threshold = airlight_threshold(drawn, exposure);
+  if (has_maps) drawn.cone = mapped_cone(drawn.cone, settings.papers.cone_maps);
+  return drawn;
 }
 
 glm::dvec3 placed_relative_to(const glm::dvec3& origin, const PlacedLight& light) {
@@ -53,8 +54,7 @@ SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settin
       PlacedLight light = scene.lights[i];
       if (light.carried != is_carried || light.light.color == glm::dvec3(0)) continue;
       light.position = placed_relative_to(origin_, light);
-      light.light.threshold = threshold_of(light.light, settings, exposure);
-      light.light.cone = drawn_cone(light.light.cone, settings);
+      light.light = drawn_light(light.light, settings, exposure);
       const bool has_end = settings.path->range != RangeLaw::unbounded;
       const double extent = has_end ? compute_extent(light.light.attenuation, light.light.threshold)
                                     : std::numeric_limits<double>::infinity();

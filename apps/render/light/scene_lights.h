@@ -13,14 +13,6 @@
 
 namespace litfog::render {
 
-/// The attenuation at which a light ends: its own threshold or, by airlight, airlight_threshold(). On paths with the
-/// radial range law always its own: that law falls to 0 at the end, and is brighter everywhere the farther off the end
-/// is.
-///
-/// settings  only path and fog_lighting are read
-/// exposure  EV at which the picture is shown; taken as 0 if below
-double threshold_of(const Light& light, const RenderSettings& settings, double exposure = 0);
-
 /// Whether lights light the fog beyond their ends. Hundreds of cut-off tails, each too faint to be seen, would add up.
 bool lights_fog_beyond_end(const RenderSettings& settings);
 
@@ -28,8 +20,13 @@ bool lights_fog_beyond_end(const RenderSettings& settings);
 /// where the maps do, and paths that light vertices are farther from the formula than the tails are bright.
 bool lights_surfaces_beyond_end(const RenderSettings& settings);
 
-/// A light's cone as a renderer draws it: its own, except on paths whose maps hold another (mapped_cone).
-Cone drawn_cone(const Cone& cone, const RenderSettings& settings);
+/// A light as a renderer draws it. By airlight it is photometric(), except on paths with light maps, whose texels are too
+/// large for what is near a lamp, and ends where airlight_threshold() says, except on paths with the radial range law:
+/// that falls to 0 at the end, and is brighter everywhere the farther off the end is. Paths with light maps have the
+/// cone of their maps (mapped_cone).
+///
+/// exposure  EV at which the picture is shown; taken as 0 if below
+Light drawn_light(const Light& light, const RenderSettings& settings, double exposure = 0);
 
 /// A light's position relative to an origin. A light farther away than the library takes lights is moved, in its
 /// direction, to the largest distance allowed.
@@ -51,7 +48,7 @@ class SceneLights {
   /// scene     has to outlive this object
   /// settings  path and fog_lighting decide whether carried lights light the fog by their intensity, and where lights
   ///           end
-  /// exposure  EV at which the picture is shown (threshold_of)
+  /// exposure  EV at which the picture is shown (drawn_light)
   SceneLights(const scene::Scene& scene, const RenderSettings& settings, double exposure = 0);
 
   const glm::dvec3& origin() const { return origin_; }

@@ -31,8 +31,8 @@
 namespace litfog::scene {
 namespace {
 
-constexpr double kBrightestAtKnee = 16;   // times the display's white
-constexpr double kMaxKnee = 1;            // metres
+constexpr double kSourceRadius = 0.05;    // metres: the format states none
+constexpr double kMaxCandela = 1e10;      // ten times the brightest searchlights
 constexpr double kLeast = 1.0 / 512;      // half of 1/256 of the display's white
 constexpr double kMinTilt = 1e-3;         // radians from the vertical, which floats tell from it
 constexpr double kMinRoll = 0.026;        // radians, 1.5 degrees: less is not told
@@ -349,7 +349,7 @@ class GltfReader {
     }
     const double intensity = light.number_or("intensity", 1);
     if (!(intensity >= 0)) light.member("intensity").fail("must be >= 0");
-    const glm::dvec3 at_one_metre = color * (intensity / std::numbers::pi);
+    const glm::dvec3 at_one_metre = color * (intensity / kWhiteLux);
     const double brightest = std::max({at_one_metre.r, at_one_metre.g, at_one_metre.b});
     if (brightest == 0) return;
     glm::dvec3 axis = -glm::dvec3(world_from_node[2]);
@@ -375,22 +375,19 @@ class GltfReader {
     placed.position = glm::dvec3(world_from_node[3]);
     placed.direction = glm::normalize(axis);
     placed.carried = is_carried;
-    double knee_square = std::min(brightest / kBrightestAtKnee, kMaxKnee * kMaxKnee);
-    knee_square = std::max(knee_square, brightest / kMaxColor);
-    placed.light.threshold = kLeast * knee_square / brightest;
+    if (!(intensity <= kMaxCandela)) light.member("intensity").fail(fmt::format("must be at most {}", kMaxCandela));
+    const double quadratic = kWhiteLux / intensity;
+    placed.light.color = color;
+    placed.light.attenuation = {.constant = 1, .linear = 0, .quadratic = quadratic};
+    placed.light.source_radius = std::min(kSourceRadius, 0.5 / std::sqrt(quadratic));
+    placed.light.threshold = kLeast / std::max({color.r, color.g, color.b, 1.0});
     if (double range = light.number_or("range", 0); range != 0) {
       if (!(range > 0)) light.member("range").fail("must be > 0");
       range = std::min(range, kMaxCoordinate);  // beyond the scene
-      knee_square = std::min(knee_square, range * range / 4);
-      placed.light.threshold = knee_square / (range * range);
+      placed.light.threshold = std::min(1 / (1 + quadratic * range * range), std::nextafter(1.0, 0.0));
     }
-    placed.light.attenuation = {.constant = 0, .linear = 0, .quadratic = 1 / knee_square};
-    placed.light.color = at_one_metre / knee_square;
     if (is_spot) placed.light.cone = read_cone(light.member("spot"));
     if (const auto error = find_error(placed)) light.fail(fmt::format("{} {}", error->field, error->rule));
-    if (!(brightest / knee_square <= kMaxColor)) {
-      fail_at(light, "range", "must not end a light where it shows more than 2500 times the display's white");
-    }
     scene_.light_entries.push_back(scene_.lights.size());
     scene_.light_members.push_back(fmt::format("lights[{}]", scene_.lights.size()));
     scene_.lights.push_back(placed);

@@ -40,7 +40,7 @@ bool is_gltf_path(const std::string& path);
 /// | MASK                                | no surface below alphaCutoff                                               |
 /// | BLEND                               | hides alpha of what is behind it, in linear light; see below               |
 /// | point and spot lights               | KHR_lights_punctual; see below                                             |
-/// | the brightest directional light     | the moon, of colour E / pi for E lx, at most 205,786; the others left out  |
+/// | the brightest directional light     | the moon, of colour E / 20 for E lx, at most 1,310,080; others left out     |
 /// | lights at or below the camera       | carried by the eye's vehicle                                               |
 /// | no lights                           | lit from over the viewer's shoulder, and by half as much ambient light     |
 ///
@@ -55,19 +55,15 @@ bool is_gltf_path(const std::string& path);
 /// that draw a surface in several passes draw it as MASK at 0.5. three.js blends in linear light in a linear render
 /// target only; on a canvas it blends the values encoded for the display.
 ///
-/// Lights: a white surface square to a light of I cd shows I / (pi r^2) of the display's white at r metres, as in the
-/// Khronos sample viewer at exposure 1. This is Hales's attenuation with C = L = 0 and Q = 1/k^2, that is 1 up to the
-/// knee k. There a white surface shows 16 times the display's white, k^2 = I / (16 pi), but k is at most 1 m, or more
-/// where a colour would otherwise exceed 10,000 (from 31,416 cd). The light ends at its range: its threshold is
-/// k^2 / range^2. A light without a range ends where it shows half of 1/256. A range within the knee puts the knee at
-/// half the range. By airlight a light shines on beyond its range, which the extension calls a hint
+/// Lights: a light of I cd has its colour, C = 1 and Q = 20 lx / I, so that a white surface square to it shows
+/// I / (20 lx r^2) of the display's white at r metres, as for any light of litfog (kWhiteLux); its source radius is
+/// 0.05 m, or half of sqrt(I / 20 lx) where that is less. The light ends at its range, or without one where it shows half
+/// of 1/256. By airlight a light shines on beyond its range, which the extension calls a hint
 /// (render::SurfaceList::set_lights, render::FarAirlight). Spots are smoothstep cones from their inner to their outer
 /// angle, at least 0.001 apart in the cosine.
 ///
-/// Fog: lamps light it by their colour times A (litfog/airlight.h), whose phase function is 1 where it is isotropic.
-/// That is 4 times what a path tracer shows of the same lamps in fog that only scatters: I / pi where it has I / 4 pi.
-/// The moon lights fog and sky as isotropic fog without end does, E / 4 pi, and they light surfaces. Ambient light and
-/// fog are otherwise a night's.
+/// Fog: the moon lights fog and sky as isotropic fog without end does, E / 4 pi, and they light surfaces. Ambient light
+/// and fog are otherwise a night's.
 ///
 /// Visibilities: 10, 3 and 1 times the distance d from the camera to the farthest corner of the scene's box, each
 /// rounded up to two significant digits. At 3 d, at which a scene is drawn if none is given, at least 37 % of the

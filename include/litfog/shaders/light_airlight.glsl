@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: the airlight of a light in the fog of the block, as the eye sees it along a ray: colour * airlight,
-// single scattering. Surfaces are then lit through litfog_lamp_factor() (litfog/shaders/fog.glsl).
+// litfog: the airlight of a light in the fog of the block, as the eye sees it along a ray, single scattering:
+// litfog_airlight_unit * colour * airlight, in the unit of the surfaces that the light lights. Surfaces are then lit through litfog_lamp_factor() (litfog/shaders/fog.glsl).
 
 #ifndef LITFOG_LIGHT_AIRLIGHT_GLSL
 #define LITFOG_LIGHT_AIRLIGHT_GLSL
 
 #include "litfog/shaders/fog.glsl"
+
+// kAirlightUnit of litfog/airlight.h.
+const float litfog_airlight_unit = 0.25;
 
 #ifdef LITFOG_COOKIES
 // What litfog_light_airlight_ray() leaves for litfog_airlight_cookie().
@@ -48,7 +51,7 @@ LitfogAirlight litfog_light_airlight_ray(LitfogLight light, vec3 eye, vec3 direc
 
 // The light's airlight along a ray of litfog_light_airlight_ray().
 vec3 litfog_light_airlight(LitfogLight light, vec3 eye, vec3 direction, float range, LitfogPhase phase) {
-  vec3 color = light.color_intensity.rgb;
+  vec3 color = litfog_airlight_unit * light.color_intensity.rgb;
   LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range, phase);
   air.nodes = litfog_airlight_nodes(air);
   // A light that adds little along this ray needs few nodes. Relative errors are some 3 % with 4 nodes and 0.5 % with 6

@@ -24,7 +24,7 @@ const float most_equal_airlights = 0.0006;
 float largest_gain(LitfogLight light, vec3 direction, float nearest, float farthest) {
   vec3 to_light = light.position_extent.xyz - eye;
   float range = distance(direction * clamp(dot(to_light, direction), nearest, farthest), to_light);
-  vec3 color = min(light.color_intensity.rgb, vec3(1.0));
+  vec3 color = min(litfog_airlight_unit * light.color_intensity.rgb, vec3(1.0));
   return max(max(color.r, color.g), color.b) *
          litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
 }
@@ -51,7 +51,7 @@ vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
   float weight = litfog_is_exp(litfog_fog_mode())
                      ? scale * exp(min((1.0 - scale) * density * range, 8.0))
                      : scale * scale * exp(min((1.0 - scale * scale) * pow(density * range, 2.0), 8.0));
-  vec3 lit = litfog_light_along(light, ray) * (litfog_lamp_factor(light, ray.w) * weight) *
+  vec3 lit = litfog_light_along(light, ray) * (litfog_airlight_unit * litfog_lamp_factor(light, ray.w) * weight) *
              lit_fraction_at(light_index, position);
   return litfog_is_isotropic(phase) ? lit : lit * litfog_phase(phase, -dot(direction, ray.xyz));
 }

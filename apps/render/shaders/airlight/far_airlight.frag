@@ -50,7 +50,7 @@ void main() {
                        litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
       float scattered = (end - begin - within) * fog_weight(density, seen, range) * arriving;
       if (!litfog_is_isotropic(phase)) scattered *= litfog_phase(phase, -dot(direction, ray.xyz));
-      slabs[slab] += light.color_intensity.rgb * scattered;
+      slabs[slab] += light.color_intensity.rgb * (litfog_airlight_unit * scattered);
     }
   }
   vec4 sum = vec4(0.0);
