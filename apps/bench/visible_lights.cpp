@@ -52,7 +52,12 @@ std::vector<std::size_t> lights_with_points(const render::Renderer& renderer) {
   const double aspect = double(renderer.width()) / renderer.height();
   const glm::mat4 clip_from_world = render::clip_from_view(camera, aspect) * scene::view_from_world<float>(camera);
   const render::PointList points =
-      render::list_points(lights, renderer.atmosphere().fog, camera.position, render::make_frustum(clip_from_world),
+      render::list_points(lights, renderer.atmosphere().fog, renderer.settings().fog_lighting,
+                          {.eye = camera.position,
+                           .forward = axes_of(camera).forward,
+                           .frustum = render::make_frustum(clip_from_world),
+                           .field_of_view = double(camera.field_of_view),
+                           .height = renderer.height()},
                           render::kPointShare * render::visible_step(0));
   std::vector<std::size_t> found;
   for (const std::int32_t point : points.lights) found.push_back(lights.scene_light(std::size_t(point)));

@@ -28,6 +28,11 @@ constexpr int kSamples = 4;  // a pixel: WebGL 2 has as many everywhere
 // An automatic exposure is chosen by this many pixels along the picture's shorter side, or up to twice as many.
 constexpr int kMeasuredPixels = 100;
 
+gl::Program make_point_program(render::FogLighting fog_lighting) {
+  const auto [vertex, fragment] = render::point_shaders(fog_lighting);
+  return {vertex, fragment, render::render_shaders()};
+}
+
 }  // namespace
 
 View::View(const scene::Scene& scene)
@@ -36,7 +41,7 @@ View::View(const scene::Scene& scene)
       meshes_(scene.models, [](const std::string&) { return false; }),
       sky_(scene, light_block_),
       surface_program_("lit.vert", "lit.frag", render::render_shaders()),
-      point_program_("light_point.vert", "light_point.frag", render::render_shaders()),
+      point_programs_{make_point_program(render::FogLighting::peak), make_point_program(render::FogLighting::airlight)},
       airlight_program_("whole_picture.vert", "airlight.frag", render::render_shaders()),
       shown_program_("whole_picture.vert", "shown.frag", render::render_shaders()) {
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
@@ -115,8 +120,9 @@ FrameReport View::draw(const Fog& fog, const render::Display& display) {
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_FALSE);  // alpha is the surfaces'
   glBindVertexArray(no_vertices_.id());
   sky_.draw(view, render::SkyDrawing::sky, carried_count_);
-  use(point_program_, view);
-  render::draw_light_points(point_program_, view, fog_lighting_, int(carried_count_),
+  const gl::Program& points = point_programs_[std::size_t(fog_lighting_)];
+  use(points, view);
+  render::draw_light_points(points, view, fog_lighting_, int(carried_count_),
                             int(scene_.lights.size() - carried_count_));
   glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   render::end_depths();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -91,7 +92,7 @@ class View {
   std::map<std::string, SurfaceMaterial> materials_;
   render::SkyPainter sky_;
   gl::Program surface_program_;
-  gl::Program point_program_;
+  std::array<gl::Program, 2> point_programs_;  // one a FogLighting
   gl::Program airlight_program_;
   gl::Program shown_program_;
   gl::VertexArrayName no_vertices_;

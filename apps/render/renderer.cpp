@@ -64,7 +64,8 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
       surfaces_(scene, lights_, fog_block_, settings),
       planner_(scene, lights_, surfaces_.surfaces(), settings),
       sky_(scene, fog_block_),
-      light_point_program_("light_point.vert", "light_point.frag", scene_shaders(!scene.cookies.empty())) {
+      light_point_program_(point_shaders(settings.fog_lighting).vertex, point_shaders(settings.fog_lighting).fragment,
+                           scene_shaders(!scene.cookies.empty())) {
   gl::check_fog_light_layout(light_point_program_);
   if (settings.shadows != Shadows::none) {
     shadows_.emplace(scene, lights_, surfaces_.surfaces(), framebuffer_.aspect(), settings);
@@ -158,7 +159,6 @@ FrameView Renderer::frame_view(const View& view, const FrameExposures& exposures
   return {.camera = camera,
           .clip_from_world = view.clip_from_world,
           .highest_slope = std::sin(std::min(pitch + double(camera.field_of_view) / 2, kRight)),
-          .point_depth_factor = point_depth_factor(camera.field_of_view, framebuffer_.height()),
           .picture_size = {width(), height()},
           .pixels_per_radian = view.pixels_per_radian,
           .exposures = exposures};
@@ -313,6 +313,7 @@ void Renderer::draw_light_points(const View& view, const FramePlan& plan) {
   light_point_program_.use();
   bind_lights(light_point_program_, fog_block_);
   set_uniform(light_point_program_, "light_list", kLightListUnit);
+  if (airlight_) set_uniform(light_point_program_, "first_radius", plan.point_first + plan.point_count);
   render::draw_light_points(light_point_program_, view, settings_.fog_lighting, plan.point_first, plan.point_count);
 }
 

@@ -7,8 +7,15 @@
 
 namespace litfog::render {
 
-/// Draws lights as points over what has been drawn, by the program in use, one of shaders/light_point.vert that can
-/// read its lights.
+/// The shaders that draw lights as points: by peak with glare, by airlight as discs of their source radii.
+struct PointShaders {
+  const char* vertex;
+  const char* fragment;
+};
+PointShaders point_shaders(FogLighting fog_lighting);
+
+/// Draws lights as points over what has been drawn, by the program in use, one of point_shaders() that can read its
+/// lights.
 ///
 /// first  of its light list, as count counts
 void draw_light_points(const gl::Program& program, const View& view, FogLighting fog_lighting, int first, int count);

@@ -11,22 +11,51 @@
 namespace litfog::render {
 namespace {
 
+/// Pixels a radian at the picture's middle.
+double pixel_scale(const PointView& view) { return view.height / (2 * std::tan(view.field_of_view / 2)); }
+
 /// Upper bound of what a light's point adds to a pixel.
-double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, const glm::dvec3& to_eye) {
+double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, FogLighting fog_lighting,
+                     const PointView& view) {
   const PlacedLight& placed = lights.lights()[i];
   const Light& light = placed.light;
+  const glm::dvec3 to_eye = view.eye - placed.position;
   const double range = glm::length(to_eye);
   if (!(range > 0)) return 0;
-  constexpr double kCoreAndHalo = 1 + kHaloBrightness;
   const double cone = lights.cookie(i) ? 1 : cone_at(light.cone, glm::dot(to_eye, placed.direction) / range);
   const double through = fog_factor_at(scaled(fog, light.density_scale), range);
-  const double brightness = attenuation_at(light.attenuation, range) * cone * through / kFullBrightness;
-  return kCoreAndHalo * largest_component(light.color) * std::min(brightness, double(kBrightestPoint));
+  const double arriving = attenuation_at(light.attenuation, range) * cone * through;
+  if (fog_lighting == FogLighting::airlight) {
+    const double cosine = std::max(-glm::dot(to_eye, view.forward) / range, 0.01);
+    const double pixel = std::pow(pixel_scale(view), -2) * std::pow(cosine, 3);  // its solid angle
+    return largest_component(light.color) * arriving / (pixel * (1 + 0.2 * double(kDiscEdge * kDiscEdge)));
+  }
+  constexpr double kCoreAndHalo = 1 + kHaloBrightness;
+  return kCoreAndHalo * largest_component(light.color) *
+         std::min(arriving / kFullBrightness, double(kBrightestPoint));
+}
+
+/// A surface hides no part of a point that is nearer by this factor. All of a point is drawn at the depth of its
+/// middle: the range times the cosine between its ray and the camera's axis. Within a point that spans h to either
+/// side, as a tangent, the cosine changes by a factor of at most 1 + h.
+///
+/// size  of the point in picture heights
+double depth_factor(double size, const PointView& view) {
+  const double least = 2.0 / view.height;  // a point has at least two pixels
+  return 1 + std::max(size, least) * std::tan(view.field_of_view / 2);
+}
+
+/// In picture heights.
+double point_size(FogLighting fog_lighting, double source_radius, double range, const PointView& view) {
+  if (fog_lighting == FogLighting::peak) return kPointRadii * kPointRadius * kMaxGlare / kPointPictureHeight;
+  constexpr double kWidestPixels = 6;  // the smallest disc with its edge, and a pixel
+  // Seen from the picture's corner a disc spans up to 1 / cosine^1.5 times as many pixels; 4 is for 66 degrees.
+  return (kWidestPixels + 4 * 2 * source_radius / range * pixel_scale(view)) / view.height;
 }
 
 }  // namespace
 
-PointList list_points(const SceneLights& lights, const Fog& fog, const glm::dvec3& eye, const Frustum& frustum,
+PointList list_points(const SceneLights& lights, const Fog& fog, FogLighting fog_lighting, const PointView& view,
                       double budget) {
   constexpr float kMargin = 1;  // metres, more than a point is ever moved towards the eye
   struct Point {
@@ -38,11 +67,12 @@ PointList list_points(const SceneLights& lights, const Fog& fog, const glm::dvec
   Octaves octaves;
   for (std::size_t i = 0; i < lights.local_count(); ++i) {
     const glm::vec3 position(lights.lights()[i].position);
-    if (!can_see(frustum, {position - kMargin, position + kMargin})) {
+    const float margin = kMargin + float(lights.source_radius(i));
+    if (!can_see(view.frustum, {position - margin, position + margin})) {
       ++list.outside_view;
       continue;
     }
-    const double largest = largest_point(lights, i, fog, eye - lights.lights()[i].position);
+    const double largest = largest_point(lights, i, fog, fog_lighting, view);
     points.push_back({std::int32_t(i), largest});
     if (largest > 0) octaves.add(largest);
   }
@@ -53,15 +83,12 @@ PointList list_points(const SceneLights& lights, const Fog& fog, const glm::dvec
       continue;
     }
     list.lights.push_back(point.light);
-    list.farthest = std::max(list.farthest, glm::distance(eye, lights.lights()[std::size_t(point.light)].position));
+    const auto light = std::size_t(point.light);
+    const double range = glm::distance(view.eye, lights.lights()[light].position);
+    const double size = point_size(fog_lighting, lights.source_radius(light), range, view);
+    list.hidden_by = std::max(list.hidden_by, range * depth_factor(size, view));
   }
   return list;
-}
-
-double point_depth_factor(double field_of_view, int height) {
-  constexpr double kMaxSize = kPointRadii * kPointRadius * kMaxGlare / kPointPictureHeight;
-  const double size = std::max(kMaxSize, 2.0 / height);  // in picture heights; a point has at least two pixels
-  return 1 + size * std::tan(field_of_view / 2);
 }
 
 }  // namespace litfog::render

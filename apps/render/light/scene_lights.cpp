@@ -63,6 +63,7 @@ SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settin
       lights_.push_back(light);
       scene_lights_.push_back(i);
       extents_.push_back(extent);
+      source_radii_.push_back(scene.lights[i].light.source_radius);
       const auto mount = scene.mounts.find(i);
       mounts_.push_back(mount == scene.mounts.end() ? scene::Mount{.light = scene::bearing_of(light.direction)}
                                                     : mount->second);

@@ -63,6 +63,8 @@ class SceneLights {
   bool light_surfaces_beyond_end() const { return light_surfaces_beyond_end_; }
   /// The cookie that replaces a light's cone, or null.
   const scene::CookieUse* cookie(std::size_t light) const { return cookies_[light]; }
+  /// Metres; 0 where none is known.
+  double source_radius(std::size_t light) const { return source_radii_[light]; }
   /// A light's index in Scene::lights.
   std::size_t scene_light(std::size_t light) const { return scene_lights_[light]; }
 
@@ -87,6 +89,7 @@ class SceneLights {
   std::vector<PlacedLight> lights_;
   std::size_t local_count_ = 0;
   std::vector<double> extents_;
+  std::vector<double> source_radii_;
   std::vector<const scene::CookieUse*> cookies_;
   std::vector<std::size_t> scene_lights_;
   std::vector<scene::Mount> mounts_;

@@ -2,6 +2,7 @@
 #include "render/plan/frame_plan.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <iterator>
 #include <numbers>
@@ -182,7 +183,13 @@ void FramePlanner::plan_everything() {
 void FramePlanner::plan_visible(const FrameView& view) {
   FrameCounts& counts = plan_.counts;
   const Frustum frustum = make_frustum(view.clip_from_world);
-  const PointList points = list_points(lights_, atmosphere_.fog, view.camera.position, frustum, kPointShare * step_);
+  const PointList points = list_points(lights_, atmosphere_.fog, settings_.fog_lighting,
+                                       {.eye = view.camera.position,
+                                        .forward = axes_of(view.camera).forward,
+                                        .frustum = frustum,
+                                        .field_of_view = double(view.camera.field_of_view),
+                                        .height = view.picture_size.y},
+                                       kPointShare * step_);
   add_points(points);
 
   const double fog_above_eye = atmosphere_.top - scene_.camera.position.y;
@@ -201,7 +208,7 @@ void FramePlanner::plan_visible(const FrameView& view) {
   }
   const double left_out_from =
       std::max({hidden_from, sky_range, airlight_end_from(view.camera.position, kBehindShare * step_),
-                points.farthest * view.point_depth_factor});
+                points.hidden_by});
   const double highest_left_out = slope_in_fog(fog_above_eye, left_out_from);
   const bool hides = settings_.path->has_light_bound && settings_.papers.light_ambient == 0;
   for (const SurfaceInView& each : in_view) {
@@ -225,6 +232,9 @@ void FramePlanner::add_points(const PointList& points) {
   plan_.point_first = int(plan_.light_list.size());
   plan_.point_count = int(points.lights.size());
   plan_.light_list.insert(plan_.light_list.end(), points.lights.begin(), points.lights.end());
+  for (const std::int32_t light : points.lights) {
+    plan_.light_list.push_back(std::bit_cast<std::int32_t>(float(lights_.source_radius(std::size_t(light)))));
+  }
   plan_.counts.points_drawn = points.lights.size();
   plan_.counts.points_outside_view = points.outside_view;
   plan_.counts.points_hidden = points.hidden;

@@ -62,7 +62,6 @@ struct FrameView {
   scene::Camera camera;  ///< relative to SceneLights::origin(), as are the matrix and the slope
   glm::mat4 clip_from_world;
   double highest_slope;       ///< largest y of a unit direction from the eye into the picture
-  double point_depth_factor;  ///< point_list.h
   glm::ivec2 picture_size;    ///< pixels
   double pixels_per_radian;   ///< at the picture's middle
   FrameExposures exposures;

@@ -6,7 +6,9 @@
 
 uniform isamplerBuffer light_list;
 uniform int carried_count;
+uniform int first_radius;  // in the light list, of those of the lamps that are drawn as points
 
 int light_entry(int i) { return texelFetch(light_list, i).x; }
 LitfogLight light_at(int i) { return litfog_buffered_light(light_entry(i)); }
 LitfogLight carried_light(int i) { return light_at(i); }
+float source_radius_at(int point) { return intBitsToFloat(light_entry(first_radius + point)); }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // A bright core and, where the point has grown, a faint halo (glare in the eye). The figures are chosen by eye.
 
-#include "light_point.glsl"
-
 flat in vec3 point_color;
 flat in float core_fraction;
 out vec4 color;
@@ -10,7 +8,9 @@ out vec4 color;
 const float least_core = 0.02;   // fraction of the squared radius: a pixel of a point that has grown
 const float halo_falloff = 0.8;  // per squared radius: 1/150 at the point's edge
 
-uniform float halo_brightness;  // point_list.h
+// point_list.h:
+uniform float halo_brightness;
+uniform float point_radii;
 
 void main() {
   vec2 offset = (gl_PointCoord - 0.5) * point_radii;

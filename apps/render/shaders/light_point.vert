@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A light as the eye sees it from afar: a point as bright as the light it sends to the eye, through the fog at the
-// density of its class. Constants without a source are chosen by eye; those that the CPU needs to leave out points are
+// A light as the eye sees it from afar in pictures by peak: a point with glare, as bright as the light that it sends to
+// the eye through the fog at the density of its class (by airlight: lamp_disc.vert). Constants without a source are chosen by eye; those that the CPU needs to leave out points are
 // in point_list.h.
 
 #include "cookie.glsl"
@@ -10,10 +10,8 @@
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
+uniform float point_radii;  // the point's size in radii of its glare: beyond half of it nothing is left
 uniform float pixel_scale;  // the picture's height over kPointPictureHeight
-uniform float near_plane;  // metres
-uniform bool has_clip_control;
-uniform bool has_glare;  // otherwise a point's halo is airlight, which is drawn separately
 uniform int first_point;  // in the light list
 // point_list.h:
 uniform float full_brightness;
@@ -25,16 +23,6 @@ flat out vec3 point_color;
 flat out float core_fraction;
 
 const float glare_power = 0.3;   // how glare grows with brightness; Stevens 1957, "On the psychophysical law": 0.33
-const float lens_radius = 0.1;   // metres: a light is in or on its lens; that of a runway edge light has 0.08
-const float most_lifted = 0.4;   // metres
-
-// How far a point is moved towards the eye. A wall closer than that before the lamp does not hide it. Moved less, its
-// own lens or the depth buffer's rounding (gpu/depth.h) would hide it. With clip control that is 0.1 m nearby and 3 mm
-// more at 10 km; else 0.4 m from 355 m on, where farther lamps are seen through walls.
-float lift(float range) {
-  float rounding = 4.0 * 5.960464e-8 * range * (has_clip_control ? 1.0 : range / near_plane);
-  return min(min(lens_radius + rounding, most_lifted), 0.5 * range);
-}
 
 void main() {
   LitfogLight light = light_at(first_point + gl_VertexID);
@@ -49,7 +37,7 @@ void main() {
   float growth = clamp(pow(max(sent / full_brightness, 1.0), glare_power), 1.0, largest_growth);
   float radius = core_radius * growth * pixel_scale;
   point_color = light.color_intensity.rgb * min(brightness, brightest);
-  core_fraction = has_glare ? 1.0 / growth : 1.0;
+  core_fraction = 1.0 / growth;
   gl_PointSize = max(point_radii * radius, 2.0);
   vec4 lifted = clip_from_world * vec4(light.position_extent.xyz + to_eye * lift(range), 1.0);
   gl_Position = brightness > 0.0 ? lifted : vec4(0.0, 0.0, 2.0, 1.0);  // outside the picture
