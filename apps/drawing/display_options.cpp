@@ -7,7 +7,6 @@
 
 #include "command/command.h"
 #include "command/number.h"
-#include "scene/file/gltf_scene.h"
 
 namespace litfog::drawing {
 namespace {
@@ -25,15 +24,15 @@ render::Exposure parse_exposure(const std::string& text) {
 }  // namespace
 
 render::Display DisplayOptions::display_for(const scene::Scene& scene) const {
-  const bool is_gltf = scene::is_gltf_path(scene.files.front());
-  return {.exposure = exposure.value_or(render::Exposure{.is_auto = is_gltf}), .tone = tone};
+  const render::Exposure stated{.ev = scene.display.exposure.value_or(0), .is_auto = !scene.display.exposure};
+  return {.exposure = exposure.value_or(stated), .tone = tone};
 }
 
 void add_display(CLI::App& app, DisplayOptions& options) {
   app.add_option_function<std::string>(
          "--exposure", [&options](const std::string& text) { options.exposure = parse_exposure(text); },
-         "EV by which a .png is brighter than the scene's light; auto chooses it from the picture (default auto for "
-         "glTF files, else 0)")
+         "EV by which a .png is brighter than the scene's light; auto chooses it from the picture (default the "
+         "scene's; auto for glTF files)")
       ->type_name("EV|auto");
   command::add_choice<render::ToneCurve>(
       app, "--tone", options.tone, {{"neutral", render::ToneCurve::neutral}, {"clip", render::ToneCurve::clip}},

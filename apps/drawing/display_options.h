@@ -15,7 +15,7 @@ namespace litfog::drawing {
 
 /// How scene light becomes the light of a picture that is shown.
 struct DisplayOptions {
-  std::optional<render::Exposure> exposure = {};  ///< default: auto for glTF files, whose light is in candela, else 0
+  std::optional<render::Exposure> exposure = {};  ///< default: the scene's
   render::ToneCurve tone = render::ToneCurve::neutral;
 
   friend bool operator==(const DisplayOptions&, const DisplayOptions&) = default;

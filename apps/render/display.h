@@ -5,10 +5,11 @@
 #include <glm/vec3.hpp>
 
 #include "render/picture.h"
+#include "scene/scene.h"
 
 namespace litfog::render {
 
-inline constexpr double kMaxExposure = 32;  ///< EV, above and below 0: half floats span 40
+using scene::kMaxExposure;
 
 /// Exposure of a picture in EV: its light is multiplied by 2^ev.
 struct Exposure {
@@ -32,10 +33,10 @@ struct Display {
   ToneCurve tone = ToneCurve::neutral;
 };
 
-/// The largest exposure at which no more than one in twenty of the pixels that are not black has a channel above 0.8,
-/// the limit up to which a display shows colours unchanged, and no more than one in a hundred a channel above 4, which
-/// `neutral` still shows below white. So a few bright lamps do not darken a picture, and a dark sky does not turn lit
-/// surfaces white.
+/// An exposure at which one in twenty of the pixels that are not black has a channel above 0.8, the limit up to which a
+/// display shows colours unchanged; but the middle one of all has a channel of at least 0.012 and at most 0.3 (levels 28
+/// and 148 of sRGB), and then no more than one in a hundred has one above 4, which `neutral` still shows below white. So
+/// a few bright lamps do not darken a picture, and a dark sky does not turn lit surfaces white.
 ///
 /// returns  EV in hundredths, in [-kMaxExposure, kMaxExposure]; pixels that are not finite do not count; 0 if no other
 ///          pixel is lit

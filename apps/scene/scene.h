@@ -5,6 +5,7 @@
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -24,6 +25,7 @@ inline constexpr std::size_t kMaxSceneLights = 100'000;
 inline constexpr std::size_t kMaxTriangles = 20'000'000;
 inline constexpr std::size_t kMaxVertices = 20'000'000;  ///< in all models: 960 MB, below the 2 GiB of a GL buffer
 inline constexpr double kMaxCoordinate = 1e7;            ///< metres
+inline constexpr double kMaxExposure = 32;               ///< EV, above and below 0: half floats span 40
 inline constexpr double kMaxColor = 1e4;                 ///< a framebuffer's half floats end at 65,504
 
 /// What lights a scene besides its lamps. Colours are linear RGB.
@@ -61,6 +63,14 @@ struct CookieUse {
   double spin = 0;  ///< radians a second
 };
 
+/// How a display shows pictures of a scene, where nothing else is asked for.
+struct SceneDisplay {
+  std::optional<double> exposure = 0.0;  ///< EV, [-32, 32]; nothing: chosen from each picture
+  bool is_clipped = false;               ///< channels are cut at white; otherwise the hue is kept
+
+  friend bool operator==(const SceneDisplay&, const SceneDisplay&) = default;
+};
+
 /// How a light is fixed to a vehicle: by where it points as seen from there.
 struct Mount {
   Attitude vehicle = {};
@@ -90,7 +100,8 @@ struct Scene {
   std::map<std::size_t, double> turn_rates;      ///< by light: radians a second at which its axis turns about +Y
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
   bool is_lit_at_vertices = false;  ///< it shows what tessellation does: the gallery draws it by the path `vertex`
-  Atmosphere atmosphere;            ///< its fog is clear air: the visibility is chosen where the scene is drawn
+  SceneDisplay display = {};
+  Atmosphere atmosphere;  ///< its fog is clear air: the visibility is chosen where the scene is drawn
 };
 
 /// Largest time: a cookie or light of ten turns a second is then still in place to a thousandth of a degree.

@@ -143,6 +143,20 @@ TEST_F(SceneFile, FogHasNoTopAndNoAsymmetryWhereNoneIsStated) {
   EXPECT_EQ(read("\"fog_top_m\": 1e308, \"objects\": []").atmosphere.top, 1e308);
 }
 
+TEST_F(SceneFile, DisplayIsReadAndChecked) {
+  EXPECT_EQ(read("\"objects\": []").display, SceneDisplay{});
+  EXPECT_EQ(read("\"display\": {\"exposure\": -3.5}, \"objects\": []").display, SceneDisplay{.exposure = -3.5});
+  const SceneDisplay automatic = read("\"display\": {\"exposure\": \"auto\", \"tone\": \"clip\"}, \"objects\": []").display;
+  EXPECT_FALSE(automatic.exposure);
+  EXPECT_TRUE(automatic.is_clipped);
+  EXPECT_EQ(error_of("\"display\": {\"exposure\": 40}, \"objects\": []"),
+            ":3:25: display.exposure = 40: must be in [-32, 32]");
+  EXPECT_EQ(error_of("\"display\": {\"exposure\": \"bright\"}, \"objects\": []"),
+            ":3:25: display.exposure = \"bright\": must be auto or a number in [-32, 32]");
+  EXPECT_EQ(error_of("\"display\": {\"tone\": \"soft\"}, \"objects\": []"),
+            ":3:21: display.tone = \"soft\": must be one of neutral, clip");
+}
+
 TEST_F(SceneFile, FogTopIsAFiniteNumberAndAsymmetryLiesBetweenMinusOneAndOne) {
   EXPECT_EQ(error_of("\"phase_g\": 1, \"objects\": []"), ":3:12: phase_g = 1: must be in (-1, 1)");
   EXPECT_EQ(error_of("\"phase_g\": -1.0, \"objects\": []"), ":3:12: phase_g = -1.0: must be in (-1, 1)");

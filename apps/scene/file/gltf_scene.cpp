@@ -78,6 +78,7 @@ class GltfReader {
     if (const auto punctual = extension_of(file_.root(), kPunctual)) lights_ = items_of(*punctual, "lights");
     read_name(path);
     scene_.description = "a glTF file";
+    scene_.display.exposure.reset();  // its light is from a candle's to the sun's
     scene_.environment = {.ambient_light = kNightAmbient, .sky_zenith = kZenith, .sky_horizon = kNightFog};
     note_files(path);
     read_nodes();

@@ -180,6 +180,25 @@ struct Vehicle {
   }
 };
 
+SceneDisplay read_display(const JsonValue& value) {
+  value.allow_only({"exposure", "tone"});
+  SceneDisplay display;
+  if (const auto exposure = value.optional("exposure")) {
+    if (exposure->is_string()) {
+      if (exposure->string() != "auto") exposure->fail("must be auto or a number in [-32, 32]");
+      display.exposure.reset();
+    } else {
+      display.exposure = number_in(*exposure, -kMaxExposure, kMaxExposure);
+    }
+  }
+  if (const auto tone = value.optional("tone")) {
+    const std::string name = tone->string();
+    if (name != "neutral" && name != "clip") tone->fail_choice({"neutral", "clip"});
+    display.is_clipped = name == "clip";
+  }
+  return display;
+}
+
 Vehicle read_vehicle(const JsonValue& value) {
   value.allow_only({"position", "heading_deg", "pitch_deg", "roll_deg"});
   return {.position = position_of(value.member("position")),
@@ -211,7 +230,7 @@ class SceneReader {
     }
     expect_header(root, "scene", 1);
     root.allow_only({"litfog", "version", "name", "description", "camera", "environment", "visibilities_m",
-                     "lit_at_vertices", "fog_top_m", "phase_g", "vehicle", "lights", "city", "objects"});
+                     "lit_at_vertices", "fog_top_m", "phase_g", "display", "vehicle", "lights", "city", "objects"});
     read_name(root, std::filesystem::path(path).stem().string());
     if (const auto description = root.optional("description")) scene_.description = description->string();
     scene_.camera = read_camera(root.member("camera"));
@@ -229,6 +248,7 @@ class SceneReader {
       air.phase.asymmetry = phase_g->number();
       if (const auto error = find_error(air.phase)) phase_g->fail(error->rule);
     }
+    if (const auto display = root.optional("display")) scene_.display = read_display(*display);
     if (const auto vehicle = root.optional("vehicle")) vehicle_ = read_vehicle(*vehicle);
     if (const auto lights = root.optional("lights")) {
       for (const JsonValue& light : lights->items()) read_light_entry(light);

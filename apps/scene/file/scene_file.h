@@ -33,6 +33,8 @@ namespace litfog::scene {
 ///                                                         default: never, any fog hides the sky
 ///       "phase_g": 0.8,                                   optional: the fog's Henyey-Greenstein asymmetry, in (-1, 1);
 ///                                                         default: 0, which scatters evenly
+///       "display": {"exposure": "auto",                   optional: how its pictures are shown: EV, default 0, or auto;
+///         "tone": "neutral"},                             or clip, each channel cut at white
 ///       "vehicle": {"position": [0, 33, 356],             optional: to which lights are mounted
 ///         "heading_deg": 4, "pitch_deg": -3, "roll_deg": 2},  optional: 0; right, up in [-90, 90], right wing down
 ///       "lights": [{
