@@ -107,7 +107,7 @@ TEST(Exposure, LightThatIsNoNumberIsBlackAndInfiniteLightIsWhite) {
 
 TEST(AutoExposure, PutsOneInTwentyBeyondFourFifths) {
   std::vector<glm::vec3> colors;
-  for (int i = 0; i < 1000; ++i) colors.emplace_back(std::pow(1.005f, float(i)), 4, 0);
+  for (int i = 0; i < 1000; ++i) colors.emplace_back(std::pow(1.005f, float(i)), 1, 0);
   const Picture picture = row(colors);
   const double ev = auto_exposure(picture);
   EXPECT_EQ(ev, std::round(100 * ev) / 100);
@@ -134,11 +134,19 @@ TEST(AutoExposure, LightThatIsNotFiniteDoesNotCount) {
 }
 
 TEST(AutoExposure, BlackSkyAndAFewBrightLampsDoNotChangeIt) {
-  std::vector<glm::vec3> colors(1000, glm::vec3(0.8f * 64));
+  std::vector<glm::vec3> colors(1000, glm::vec3(0.3f * 64));
   EXPECT_EQ(auto_exposure(row(colors)), -6);
   colors.resize(100'000, glm::vec3(0));
   for (std::size_t i = 0; i < 9; ++i) colors[i] = glm::vec3(60'000);
   EXPECT_EQ(auto_exposure(row(colors)), -6);
+}
+
+TEST(AutoExposure, MiddlePixelIsReadableUnlessTheBrightestWouldBeWhite) {
+  std::vector<glm::vec3> colors(1000, glm::vec3(0.012f / 32));
+  std::fill_n(colors.begin(), 60, glm::vec3(0.1f));
+  EXPECT_EQ(auto_exposure(row(colors)), 5);
+  std::fill_n(colors.begin(), 60, glm::vec3(1));
+  EXPECT_EQ(auto_exposure(row(colors)), 2);
 }
 
 TEST(AutoExposure, LitPlaceInADarkPictureIsNotWhite) {
@@ -153,7 +161,7 @@ TEST(AutoExposure, LitPlaceInADarkPictureIsNotWhite) {
 
 TEST(AutoExposure, OneBrightPixelAmongBlackIsShown) {
   std::vector<glm::vec3> colors(1000, glm::vec3(0));
-  colors[17] = {4, 51.2f, 2};
+  colors[17] = {4, 19.2f, 2};
   EXPECT_EQ(auto_exposure(row(colors)), -6);
 }
 
