@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <utility>
 
 #include "litfog/photometry/eulumdat.h"
 #include "litfog/photometry/gldf.h"
@@ -81,6 +82,16 @@ Luminaire parse_luminaire(std::string bytes, const std::string& path) {
 std::optional<double> stated_flux(const Luminaire& luminaire) {
   if (!luminaire.lamp_flux || !luminaire.light_output_ratio) return std::nullopt;
   return *luminaire.lamp_flux * *luminaire.light_output_ratio;
+}
+
+double opening_radius(const LuminousOpening& opening) {
+  double first = opening.width, second = opening.length;
+  if (first == 0) std::swap(first, second);
+  if (second == 0) second = first < 0 && opening.height >= 0 ? first : opening.height;
+  const bool is_round = first < 0 && second < 0;
+  const double radius =
+      std::sqrt(std::abs(first)) * std::sqrt(std::abs(second)) / (is_round ? 2 : std::sqrt(std::numbers::pi));
+  return radius < kMinOpeningRadius ? 0 : radius;
 }
 
 double tilt_factor(const LampTilt& tilt, double angle) {

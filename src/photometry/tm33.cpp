@@ -53,6 +53,18 @@ PhotometryType type_of(const XmlText& xml, const pugi::xml_node& data) {
   return PhotometryType::a;
 }
 
+/// The only luminous opening, in millimetres in the file.
+LuminousOpening opening_of(const XmlText& xml, const pugi::xml_node& luminaire) {
+  const pugi::xml_node opening = child_of(luminaire, "LuminousOpening");
+  const auto is_opening = [](const pugi::xml_node& child) { return local_name(child) == "LuminousOpening"; };
+  if (std::ranges::count_if(luminaire.children(), is_opening) != 1) return {};
+  const auto metres = [&](const char* name) {
+    return 1e-3 * TextScanner::number_if_any(xml.text_of(child_of(opening, name))).value_or(0);
+  };
+  if (const double diameter = metres("Diameter"); diameter > 0) return {-diameter, -diameter, 0};
+  return {metres("Width"), metres("Length"), 0};
+}
+
 void expect_luminous(const XmlText& xml, const pugi::xml_node& data) {
   const Piece metric = xml.text_of(remark_of(data, "Metric"));
   if (metric.text.empty() || metric.text == "Luminous" || metric.text == "luminous") return;
@@ -149,6 +161,7 @@ Luminaire parse_tm33(std::string text, const std::string& name) {
   if (luminaire.name.empty()) luminaire.name = xml.text_of(child_of(header, "CatalogNumber")).text;
   luminaire.manufacturer = xml.text_of(child_of(header, "Manufacturer")).text;
   luminaire.is_absolute = xml.text_of(remark_of(data, "AbsolutePhotometry")).text == "true";
+  luminaire.opening = opening_of(xml, child_of(xml.root(), "Luminaire"));
   const pugi::xml_node quantity = child_of(emitter, "Quantity");
   const auto lamps = quantity ? TextScanner::number_if_any(xml.text_of(quantity)) : 1;
   const auto lumens = TextScanner::number_if_any(xml.text_of(child_of(emitter, "RatedLumens")));

@@ -135,6 +135,10 @@ TEST(Eulumdat, OpeningIsInMetres) {
   box.lines[16] = "50";
   EXPECT_DOUBLE_EQ(parse(box.str()).opening.length, 0.09);
   EXPECT_DOUBLE_EQ(parse(box.str()).opening.width, 0.05);
+  EXPECT_DOUBLE_EQ(opening_radius(round), 0.045);
+  EulumdatText none;
+  none.lines[15] = "0";
+  EXPECT_EQ(opening_radius(parse(none.str()).opening), 0);
 }
 
 TEST(Eulumdat, UnusedLinesMayBeBlank) {

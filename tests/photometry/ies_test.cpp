@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstdio>
 #include <fstream>
 #include <new>
@@ -188,6 +189,24 @@ TEST(Ies, OpeningIsInMetres) {
   EXPECT_DOUBLE_EQ(feet.length, 0.6096);
   EXPECT_DOUBLE_EQ(feet.height, 0.9144);
   EXPECT_EQ(our_luminaire("spelling.ies").opening.width, -0.3);  // round
+}
+
+TEST(Ies, OpeningRadiusIsThatOfADiscOfItsArea) {
+  EXPECT_DOUBLE_EQ(opening_radius({0.6, 1.2, 0}), std::sqrt(0.72 / pi)) << "rectangle";
+  EXPECT_DOUBLE_EQ(opening_radius({0.6, 1.2, 0.1}), std::sqrt(0.72 / pi)) << "with luminous sides";
+  EXPECT_DOUBLE_EQ(opening_radius({-0.3, -0.3, 0}), 0.15) << "circle";
+  EXPECT_DOUBLE_EQ(opening_radius({-0.3, 0, 0}), 0.15) << "circle of the older editions";
+  EXPECT_DOUBLE_EQ(opening_radius({-0.3, 0, 1}), 0.15) << "upright cylinder of the older editions";
+  EXPECT_DOUBLE_EQ(opening_radius({-0.1, -0.4, 0}), 0.1) << "ellipse";
+  EXPECT_DOUBLE_EQ(opening_radius({-0.3, -0.3, 1}), 0.15) << "upright cylinder";
+  EXPECT_DOUBLE_EQ(opening_radius({-0.3, -0.3, -0.3}), 0.15) << "sphere";
+  EXPECT_DOUBLE_EQ(opening_radius({-0.04, 1.2, -0.04}), std::sqrt(0.048 / pi)) << "lying cylinder";
+  EXPECT_DOUBLE_EQ(opening_radius({-0.3, 0, -0.3}), 0.15) << "upright circle";
+  EXPECT_DOUBLE_EQ(opening_radius({0, 0.5, 0.2}), std::sqrt(0.1 / pi)) << "upright rectangle";
+  for (const LuminousOpening& none : {LuminousOpening{}, {0, 1.2, 0}, {0, 0, 0.5}, {1e-3, 1e-3, 0}, {1e-300, 1, 0}}) {
+    EXPECT_EQ(opening_radius(none), 0) << none.width << " " << none.length << " " << none.height;
+  }
+  EXPECT_DOUBLE_EQ(opening_radius({-1e300, -1e300, 0}), 5e299);
 }
 
 TEST(Ies, NumbersAreReadHoweverTheyAreSpelled) {

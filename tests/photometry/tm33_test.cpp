@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 #include <string>
 
@@ -54,6 +55,22 @@ TEST(Tm33, IntensitiesAreThoseOfTheirAnglesTimesTheMultiplier) {
   EXPECT_EQ(luminaire.distribution.vertical, (std::vector<double>{0, pi / 2}));
   EXPECT_EQ(luminaire.distribution.intensity, (std::vector<double>{200, 20, 200, 40}));
   EXPECT_EQ(to_string(luminaire.peak_location), "lamp.xml:8:22");
+}
+
+TEST(Tm33, OnlyOpeningIsReadInMetres) {
+  const auto radius_of = [](const std::string& luminaire) {
+    Tm33Text tm33;
+    tm33.header += "<Luminaire><Dimensions><Length>900</Length><Width>900</Width><Height>9</Height></Dimensions>" +
+                   luminaire + "</Luminaire>\n";
+    return opening_radius(parse(tm33.str()).opening);
+  };
+  const std::string disc = "<LuminousOpening><Shape>round</Shape><Diameter>200</Diameter></LuminousOpening>";
+  EXPECT_DOUBLE_EQ(radius_of(disc), 0.1);
+  EXPECT_DOUBLE_EQ(radius_of("<LuminousOpening><Length>1200</Length><Width>300</Width></LuminousOpening>"),
+                   std::sqrt(0.36 / pi));
+  EXPECT_EQ(radius_of(""), 0) << "the dimensions are those of the housing";
+  EXPECT_EQ(radius_of(disc + disc), 0);
+  EXPECT_EQ(radius_of("<LuminousOpening><Length>long</Length></LuminousOpening>"), 0);
 }
 
 TEST(Tm33, RemarksMayStandBesideTheElementOfTheIntensities) {

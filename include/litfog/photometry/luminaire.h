@@ -28,6 +28,14 @@ struct LuminousOpening {
   double height = 0;
 };
 
+/// An opening whose disc is smaller, in metres, counts as none: files have such sizes for a point.
+inline constexpr double kMinOpeningRadius = 1e-3;
+
+/// Radius in metres of a disc of the opening's area, 0 where it has none: that of width and length, or of the one that
+/// is not 0 and the height. Two negative sizes are the axes of an ellipse; one alone, or beside the height of a
+/// cylinder, is the diameter of a circle.
+double opening_radius(const LuminousOpening& opening);
+
 /// What a photometric file states about a luminaire.
 struct Luminaire {
   std::string file = {};     ///< path as given to the reader
