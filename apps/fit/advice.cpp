@@ -12,6 +12,7 @@
 
 #include "files/angle_deg.h"
 #include "fit/verdict.h"
+#include "litfog/color_temperature.h"
 #include "text/shown_number.h"
 
 namespace litfog::fit {
@@ -33,11 +34,34 @@ class Advice {
 };
 
 void advise_on_color(const glm::dvec3& color, Advice& advice) {
-  constexpr double kLikelyBytes = 10;  // no light is that bright on purpose
+  constexpr double kLikelyBytes = 20;  // a blue of luminance 1 has 14
   const double brightest = std::max({color.r, color.g, color.b});
   if (brightest <= kLikelyBytes) return;
   advice.add("The color reaches {}, and 1 is the display's white: it is linear RGB, not sRGB of 8 bits.",
              shown_rounded(brightest, 6));
+}
+
+/// Candela and lux weigh the colours of light, which a light's colour multiplies.
+void advise_on_luminance(const LightTarget& target, Advice& advice) {
+  constexpr double kSame = 0.01;
+  const double value = luminance(target.color);
+  if (!target.light_peak || std::abs(value - 1) < kSame) return;
+  advice.add("The color's luminance is {}: the light gives that fraction of its candela. Divide the color by it.",
+             shown_rounded(value, 6));
+}
+
+void advise_on_source_radius(const LightFit& fit, Advice& advice) {
+  const LightTarget& target = fit.target;
+  const double radius = fit.light.source_radius, wanted = unstated_source_radius(target);
+  if (target.source_radius || radius == 0) return;
+  if (!target.luminaire || opening_radius(target.luminaire->opening) == 0) {
+    advice.add(
+        "The size of the lamp is not known: a source radius of {} m is taken. A spec's source_radius_m states it.",
+        shown_rounded(radius, 3));
+  } else if (radius < wanted) {
+    advice.add("A source radius of {} m, of the luminous opening, is more than the attenuation allows: {} m is taken.",
+               shown_rounded(wanted, 3), shown_rounded(radius, 3));
+  }
 }
 
 void advise_on_range(const AttenuationTarget& target, const AttenuationFit& fit, Advice& advice) {
@@ -145,8 +169,10 @@ void advise_on_cone(const LightFit& fit, Advice& advice) {
 
 std::vector<std::string> advice_on(const LightFit& fit) {
   Advice advice;
-  advise_on_color(fit.light.color, advice);
+  advise_on_color(fit.target.color, advice);
+  advise_on_luminance(fit.target, advice);
   if (fit.range) {
+    advise_on_source_radius(fit, advice);
     advise_on_range(*fit.target.range, *fit.range, advice);
   } else {
     advice.add("No range is given: the light does not fall off. Give its extent or a falloff table.");

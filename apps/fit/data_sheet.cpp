@@ -14,6 +14,7 @@
 #include "files/cone_json.h"
 #include "fit/advice.h"
 #include "fit/verdict.h"
+#include "litfog/color_temperature.h"
 #include "text/shown_number.h"
 
 namespace litfog::fit {
@@ -186,6 +187,23 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   });
 }
 
+/// The light's illuminance on its axis beside its peak's by the inverse square.
+void add_illuminance(Sheet& sheet, const LightFit& fit) {
+  const Light near = photometric(fit.light);
+  const auto& peak = fit.target.light_peak;
+  sheet.add_heading("Illuminance");
+  command::Table table{.columns = {"range_m", "light_lx"}};
+  if (peak) table.columns.insert(table.columns.end(), {"data_lx", "error_%"});
+  for (const double range : {1., 3., 10., 30., 100.}) {
+    const double lux = kWhiteLux * luminance(near.color) * attenuation_at(near.attenuation, range);
+    Row& row = table.rows.emplace_back(Row{range, shown_rounded(lux, 6)});
+    if (!peak) continue;
+    const double data = *peak / (range * range);
+    row.insert(row.end(), {shown_rounded(data, 6), shown_change(percent_of(lux / data - 1), 3)});
+  }
+  sheet.add(table);
+}
+
 void add_asymmetry(Sheet& sheet, const LightFit& fit) {
   sheet.add("asymmetry", fmt::format("{:.3f} of the beam (rms) is not symmetric about the axis", fit.target.asymmetry));
 }
@@ -232,18 +250,23 @@ std::string format_data_sheet(const LightFit& fit) {
   sheet.add("color", fmt::format("{} {} {}, linear RGB", shown_rounded(fit.light.color.r, 6),
                                  shown_rounded(fit.light.color.g, 6), shown_rounded(fit.light.color.b, 6)));
   if (fit.light.density_scale != 1) sheet.add("density scale", shown_number(fit.light.density_scale));
+  const double peak = luminance(candela(fit.light));
+  if (std::isfinite(peak)) sheet.add("candela", shown_rounded(peak, 9));
+  if (fit.light.source_radius > 0) sheet.add("source radius", shown_rounded(fit.light.source_radius, 3) + " m");
   if (fit.flux) {
     const char* const shape = fit.cookie ? " by its cookie" : fit.cone ? " by its cone" : "";
     sheet.add("light's flux",
-              fmt::format("{} lm{}, with a peak of {} cd", shown_number(*fit.flux), shape,
-                          shown_number(*fit.target.light_peak)) +
+              fmt::format("{} lm{}", shown_number(*fit.flux), shape) +
                   (fit.flux_error ? fmt::format("; {} of the data's flux", percent(fit.flux_error)) : ""));
   }
   const Verdict verdict = judge(fit);
   sheet.add("verdict", fmt::format("{}: {}", name_of(verdict.grade), verdict.why));
   if (fit.target.luminaire) add_luminaire(sheet, fit);
   if (fit.elliptical_beam) add_elliptical_beam(sheet, fit);
-  if (fit.range) add_range(sheet, *fit.target.range, *fit.range);
+  if (fit.range) {
+    add_range(sheet, *fit.target.range, *fit.range);
+    add_illuminance(sheet, fit);
+  }
   if (fit.cone) add_cone(sheet, *fit.target.cone, *fit.cone);
   const auto advice = advice_on(fit);
   if (!advice.empty()) sheet.add_heading("Advice");

@@ -60,7 +60,7 @@ std::string png_of(const std::vector<std::uint16_t>& pixels) {
 }  // namespace
 
 std::string draw_fog_picture(const Light& light) {
-  const PlacedLight placed{.light = light, .position = {}, .direction = {1, 0, 0}};
+  const PlacedLight placed{.light = photometric(light), .position = {}, .direction = {1, 0, 0}};
   const std::vector<EyeRay> rays = rays_of_view();
   std::vector<double> airlights(rays.size());
   std::vector<std::uint16_t> pixels(std::size_t(kRowPixels) * kFogPictureHeight * kChannels, 65535);
@@ -73,7 +73,7 @@ std::string draw_fog_picture(const Light& light) {
         const double value = kExposure * kAirlightUnit * airlights[std::size_t(mirrored * kFogPictureWidth + x)];
         const int column = view * (kFogPictureWidth + kGap) + x;
         std::uint16_t* const pixel = &pixels[std::size_t((y * kRowPixels + column) * kChannels)];
-        for (int i = 0; i < kChannels; ++i) pixel[i] = linear_level(value * light.color[i]);
+        for (int i = 0; i < kChannels; ++i) pixel[i] = linear_level(value * placed.light.color[i]);
       }
     }
   }

@@ -13,6 +13,7 @@
 #include "files/cone_json.h"
 #include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/elliptical_beam.h"
+#include "text/shown_number.h"
 
 namespace litfog::fit {
 
@@ -73,6 +74,25 @@ void compare_with_luminaire(const LightTarget& target, ConeProfileFit& fit) {
   fit.flux_error = flux / luminous_flux(target.luminaire->distribution) - 1;
 }
 
+/// Sets the radius that is stated, or the opening's or the default as far as the light's law can have it. A falloff
+/// table states how bright the light is near the lamp: without a stated radius it stays as it is.
+void set_source_radius(Light& light, const LightTarget& target) {
+  const auto& [constant, linear, quadratic] = light.attenuation;
+  if (target.source_radius) {
+    light.source_radius = *target.source_radius;
+    if (const auto error = find_error(light)) {
+      throw InputError(
+          target.source_radius_location, "source_radius_m", shown_number(error->value),
+          fmt::format("{}; C is {} and Q is {} /m^2", error->rule, shown_number(constant), shown_number(quadratic)));
+    }
+    return;
+  }
+  if (quadratic == 0 || !target.range->samples.empty()) return;
+  constexpr double kRounding = 1e-15;
+  light.source_radius = std::min(unstated_source_radius(target), (1 - kRounding) * std::sqrt(constant / quadratic));
+  if (find_error(light)) light.source_radius = 0;
+}
+
 /// What is known of the light as it is written.
 void set_flux(LightFit& fit) {
   const LightTarget& target = fit.target;
@@ -90,7 +110,7 @@ void set_flux(LightFit& fit) {
 LightFit fit_light(LightTarget target, bool is_robust) {
   LightFit fit;
   fit.light.name = target.name;
-  fit.light.color = target.color;
+  fit.light.color = target.size * target.color;
   fit.light.density_scale = target.density_scale;
   fit.light.attenuation = {1, 0, 0};
   if (target.range) {
@@ -103,6 +123,7 @@ LightFit fit_light(LightTarget target, bool is_robust) {
     fit.cone = fit_cone(*target.cone);
     fit.light.cone = fit.cone->best().cone;
   }
+  set_source_radius(fit.light, target);
   if (target.luminaire) {
     const double cosine = dot(target.luminaire_peak.direction, target.axis);
     fit.peak_angle = std::acos(std::clamp(cosine, -1.0, 1.0));
@@ -119,6 +140,11 @@ LightFit fit_light(LightTarget target, bool is_robust) {
   }
   set_flux(fit);
   return fit;
+}
+
+double unstated_source_radius(const LightTarget& target) {
+  const double opening = target.luminaire ? opening_radius(target.luminaire->opening) : 0;
+  return opening > 0 ? opening : kDefaultSourceRadius;
 }
 
 const IntensityDistribution* LightFit::beam() const {

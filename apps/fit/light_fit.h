@@ -32,6 +32,11 @@ struct LightFit {
   bool is_proven() const;  ///< every fit is feasible, and shown to be the best
 };
 
+/// Metres, of the disc of a luminaire's opening, or the default.
+double unstated_source_radius(const LightTarget& target);
+
+/// Throws InputError for a stated source radius that the light's law cannot have.
+///
 /// is_robust  for the range's samples: outliers count less
 LightFit fit_light(LightTarget target, bool is_robust);
 

@@ -14,6 +14,7 @@
 
 #include "files/angle_deg.h"
 #include "litfog/input_error.h"
+#include "litfog/light.h"
 #include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/elliptical_beam.h"
 #include "model/float_limit.h"
@@ -104,8 +105,6 @@ void set_beam(LightTarget& target, const AxisChoice& choice) {
   target.cone->samples = cone_samples(beam.profile());
 }
 
-double extent_of(double peak, double end_illuminance) { return std::sqrt(peak / end_illuminance); }
-
 /// Sets the light's peak. Where a luminaire's is not its largest intensity, the step is told.
 void set_light_peak(LightTarget& target) {
   target.light_peak = target.peak;
@@ -128,20 +127,37 @@ void set_light_peak(LightTarget& target) {
                   shown_number(mean), shown_number(largest)));
 }
 
+/// "what a pilot sees by night, ..." after a comma, of an illuminance that has a name.
+std::string source_of(double end_illuminance) {
+  const auto named = std::ranges::find(kVisualThresholds, end_illuminance, &VisualThreshold::illuminance);
+  return named == kVisualThresholds.end() ? "" : fmt::format(", {}", named->source);
+}
+
+/// Ends a light of a known peak and range target where it gives an illuminance.
+void set_end(LightTarget& target, double lux) {
+  const double peak = *target.light_peak, threshold = target.range->threshold;
+  const auto [size, extent] = compute_end(peak, lux, threshold);
+  target.size = size;
+  target.range->extent = extent;
+  target.derived.push_back(fmt::format("Extent: sqrt((1 - {}) * {} cd / {} lx) = {} m, where the light gives {} lx{}.",
+                                       shown_number(threshold), shown_number(peak), shown_number(lux),
+                                       shown_number(extent), shown_number(lux), source_of(lux)));
+  if (size == 1) return;
+  target.derived.push_back(fmt::format("Color: times {} lx / ({} lx * {}) = {}, because 1 stands for {} lx.",
+                                       shown_number(lux), kWhiteLux, shown_number(threshold), shown_number(size),
+                                       kWhiteLux));
+}
+
 /// A luminaire's range without one that is stated. What is wrong is shown as the file's, which has intensities and no
 /// extent.
 void set_range_of_luminaire(LightTarget& target) {
   set_light_peak(target);
-  const double peak = *target.light_peak;
-  target.range = AttenuationTarget{.extent = extent_of(peak, kEndIlluminance)};
+  target.range.emplace();
+  set_end(target, kEndIlluminance);
   if (const auto error = find_error(*target.range)) {
     throw InputError(target.luminaire->peak_location, "largest intensity",
                      shown_number(target.luminaire_peak.intensity), "must give an extent: " + to_string(*error));
   }
-  target.derived.push_back(fmt::format(
-      "Attenuation: C = 1 and no L; Q = (1/0.05 - 1)/E^2 puts the threshold 0.05 at E = sqrt({} cd / 1 lx) = "
-      "{:.4g} m, where the lamp gives 1 lx.",
-      shown_number(peak), *target.range->extent));
 }
 
 std::string sentence_on_cone(const LightTarget& target) {
@@ -172,12 +188,6 @@ AttenuationFamily family_of(RangeSpec::Family family) {
       return AttenuationFamily::mixed;
   }
   return AttenuationFamily::quadratic;
-}
-
-/// "what a pilot sees by night, ..." after a comma, of an illuminance that has a name.
-std::string source_of(double end_illuminance) {
-  const auto named = std::ranges::find(kVisualThresholds, end_illuminance, &VisualThreshold::illuminance);
-  return named == kVisualThresholds.end() ? "" : fmt::format(", {}", named->source);
 }
 
 /// The flux of a light with 1 cd at its peak, and what has it: a luminaire, or the cone as it will be fitted.
@@ -227,18 +237,23 @@ void scale_to_peak(const LightSpec& spec, LightTarget& target, double peak) {
                                        shown_number(*target.peak), shown_number(peak)));
 }
 
-/// Throws the error of a derived extent that cannot be fitted, at the member that puts it there.
-void expect_extent(const LightSpec& spec, double peak, double end) {
-  const auto error_of = [peak](double lux) { return find_error(AttenuationTarget{.extent = extent_of(peak, lux)}); };
-  const auto error = error_of(end);
-  if (!error) return;
+/// Throws the error of a derived extent or colour that no light has, at the member that puts it there.
+void expect_end(const LightSpec& spec, const LightTarget& target, double lux) {
   const RangeSpec& range = *spec.range;
-  const char* const member = !error_of(kEndIlluminance) ? "range.end_lx"
-                             : range.illuminance        ? "range.illuminance"
-                             : range.flux               ? "range.flux_lm"
-                                                        : "range.peak_cd";
-  throw spec.error_at(member, "",
-                      fmt::format("the extent that follows, {:.3g} m, {}", error->error.value, error->error.rule));
+  const auto end_at = [&](double end) { return compute_end(*target.light_peak, end, range.threshold); };
+  const auto error_of = [&](double end) { return find_error(AttenuationTarget{.extent = end_at(end).extent}); };
+  if (const auto error = error_of(lux)) {
+    const char* const member = !error_of(kEndIlluminance) ? "range.end_lx"
+                               : range.illuminance        ? "range.illuminance"
+                               : range.flux               ? "range.flux_lm"
+                                                          : "range.peak_cd";
+    throw spec.error_at(member, "",
+                        fmt::format("the extent that follows, {:.3g} m, {}", error->error.value, error->error.rule));
+  }
+  const glm::dvec3 color = end_at(lux).size * target.color;
+  if (std::isfinite(color.r + color.g + color.b)) return;
+  throw spec.error_at(range.end_illuminance ? "range.end_lx" : "range.threshold", "",
+                      fmt::format("the color that follows, times {:.3g}, must be finite", end_at(lux).size));
 }
 
 /// The extent of a range that states where the light ends by its illuminance.
@@ -254,12 +269,9 @@ void derive_extent(const LightSpec& spec, LightTarget& target) {
   if (peak && target.luminaire) scale_to_peak(spec, target, *peak);
   if (peak) target.peak = peak;
   set_light_peak(target);
-  const double end = range.end_illuminance.value_or(kEndIlluminance);
-  expect_extent(spec, *target.light_peak, end);
-  target.range->extent = extent_of(*target.light_peak, end);
-  target.derived.push_back(fmt::format("Extent: sqrt({} cd / {} lx) = {} m, where the light gives {} lx{}.",
-                                       shown_number(*target.light_peak), shown_number(end),
-                                       shown_number(*target.range->extent), shown_number(end), source_of(end)));
+  const double lux = range.end_illuminance.value_or(kEndIlluminance);
+  expect_end(spec, target, lux);
+  set_end(target, lux);
 }
 
 void set_range(const LightSpec& spec, LightTarget& light) {
@@ -270,6 +282,9 @@ void set_range(const LightSpec& spec, LightTarget& light) {
     target.samples.push_back({.range = sample.range, .attenuation = sample.attenuation, .weight = sample.weight});
   }
   target.family = family_of(range.family);
+  if (const auto error = find_error(AttenuationTarget{.threshold = range.threshold, .extent = 1})) {
+    throw error_at(spec, "range", *error);
+  }
   derive_extent(spec, light);
   if (!target.extent && target.samples.empty()) {
     throw spec.error_at("range.extent", "", "must be given, or peak_cd, illuminance, flux_lm or samples");
@@ -355,9 +370,11 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
                      .source = spec.source,
                      .color = spec.color,
                      .density_scale = spec.density_scale,
+                     .source_radius = spec.source_radius,
+                     .source_radius_location = spec.error_at("source_radius_m", "", "").location(),
                      .cookie_size = choices.cookie_size};
   if (spec.color_temperature) {
-    target.derived.push_back(fmt::format("Color: {} K is {:.4g} {:.4g} {:.4g}, linear sRGB.",
+    target.derived.push_back(fmt::format("Color: {} K is {:.4g} {:.4g} {:.4g}, linear sRGB of luminance 1.",
                                          shown_number(*spec.color_temperature), spec.color.r, spec.color.g,
                                          spec.color.b));
   }

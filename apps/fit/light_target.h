@@ -16,6 +16,9 @@ namespace litfog::fit {
 /// Asymmetry up to which a beam is taken for a round one.
 inline constexpr double kRoundBeam = 0.1;
 
+/// Source radius in metres of a light for which none is stated.
+inline constexpr double kDefaultSourceRadius = 0.05;
+
 /// Which direction of a luminaire is the axis of its light.
 struct AxisChoice {
   enum class Kind {
@@ -52,12 +55,15 @@ struct LightTarget {
   std::vector<std::string> source = {};
   std::vector<std::string> derived = {};  ///< how figures were made of the file's, a step each
   glm::dvec3 color{1.0};
+  double size = 1;  ///< the light's colour is `color` times this
   double density_scale = 1;
+  std::optional<double> source_radius = std::nullopt;  ///< metres, as stated
+  InputLocation source_radius_location = {};           ///< where it is stated
   std::optional<AttenuationTarget> range = std::nullopt;
   std::optional<double> peak = std::nullopt;  ///< candela, the beam's largest, stated or derived
-  /// Candela, the light's own where its cone or its cookie is 1: its extent follows from this. The cone of a luminaire
-  /// is fitted to means over the turn, so that it has their largest; a cookie has the beam's. Nothing where the extent
-  /// is stated.
+  /// Candela, the light's own where its cone or its cookie is 1: its size and extent follow from this. The cone of a
+  /// luminaire is fitted to means over the turn, so that it has their largest; a cookie has the beam's. Nothing where
+  /// the extent is stated.
   std::optional<double> light_peak = std::nullopt;
   std::optional<double> flux = std::nullopt;  ///< lumens, as stated
   /// With the luminaire's profile about the axis as its samples, if there is a luminaire. With the circles of equal
@@ -75,9 +81,8 @@ struct LightTarget {
 /// take.
 LightTarget read_spec(const std::string& path, const FitChoices& choices = {});
 
-/// Reads a photometric file: the beam about its axis, white, and an extent by illuminance: C = 1, L = 0, and the
-/// attenuation is the threshold where the light's peak gives 1 lx. Throws InputError, also for what the fits do not
-/// take.
+/// Reads a photometric file: the beam about its axis, white, with C = 1, L = 0 and the extent where the light's peak
+/// gives 1 lx. Throws InputError, also for what the fits do not take.
 LightTarget read_photometric_spec(const std::string& path, const FitChoices& choices = {});
 
 /// The target of a luminaire that was read already.

@@ -71,10 +71,10 @@ constexpr const char* kExplanation =
    "cone": {"beam_angle_deg": 11, "field_angle_deg": 22}}
 
 Range. extent_m is where the attenuation is to be the threshold (0.05 if not given) and is met exactly. In its place
-peak_cd, illuminance {"range_m", "lx"} or flux_lm puts it where the light gives end_lx (1 if not given): a number, or what an
-eye just sees: dark night (a mariner's), night, twilight, day or bright day (a pilot's). constant fixes C. samples are a
-falloff table; the fit minimises sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent alone is met by
-C = 1 and the family: quadratic (if not given), linear or mixed.
+peak_cd, illuminance {"range_m", "lx"} or flux_lm puts it where the light gives end_lx (1 if not given): a number, or
+what an eye just sees: dark night (a mariner's), night, twilight, day or bright day (a pilot's). constant fixes C.
+samples are a falloff table; the fit minimises sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent
+alone is met by C = 1 and the family: quadratic (if not given), linear or mixed.
 
 Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; of an elliptical beam either
 is [horizontal, vertical]. Cones are round: the cone is fitted to the circles of the same solid angle, so that it has
@@ -83,16 +83,23 @@ any unit; half_angle_deg is where the light ends; photometry names a photometric
 minimises sum weight * (cone - intensity/peak)^2. profile is one of
 --profile's; best: all are fitted and shown, the best one is the light's.
 
-Color. color is linear RGB; color_temperature_k may stand in its place.
+Color. color is linear RGB; color_temperature_k may stand in its place. Candela are those of a color of luminance 1.
+
+Source. source_radius_m is the radius of the lamp's luminous disc, 0.05 if not given: near the lamp the light gives
+I / (r^2 + R^2). With a falloff table, which says how bright the light is there, it has none if not given.
 
 Figures that are derived from these are reported step by step, as "derived", and kept in the light's "source".
 
 A photometric file (IES LM-63 of any edition, EULUMDAT, TM-33, GLDF, or an isocandela table) is a light without a
 spec: its cone is fitted to the intensities at the file's own angles, each of weight 1, as the mean over the turn about
-the axis; it is white; and it ends, at the threshold 0.05, where its peak gives 1 lx: C = 1, Q = (1/0.05 - 1) / (peak
-in cd / 1 lx). That peak is the largest mean over the turn, so that the light has the beam's flux, or with --cookie the
-largest intensity: a light written with --cookie is for its cookie. A spec with photometry and no range ends there, too. With a range its peak_cd, illuminance or flux_lm
-scales the intensities, which may then be percentages. Angles that the file does not state are dark.
+the axis; it is white; it ends, at the threshold 0.05, where its peak gives 1 lx; and its source radius is that of a
+disc of the luminous opening's area. That peak is the largest mean over the turn, so that the light has the beam's flux,
+or with --cookie the largest intensity: a light written with --cookie is for its cookie. A spec with photometry and no
+range ends there, too. With a range its peak_cd, illuminance or flux_lm scales the intensities, which may then be
+percentages. Angles that the file does not state are dark.
+
+A light of I cd has C = 1, no L, and Q = 20 lx * size / I: a color of 1 stands for 20 lx. size = end_lx / (20 lx *
+threshold) multiplies the color, so that the light gives end_lx where its attenuation is the threshold.
 
 The axis is the photometric one, down, or its opposite where the peak lies above the horizon, or the peak of a beam
 aimed elsewhere. The report says which, and --axis moves it: in degrees to the right and above of an isocandela table,

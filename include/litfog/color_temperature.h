@@ -28,4 +28,7 @@ glm::dvec2 chromaticity_of_temperature(double kelvin);
 /// throws     like chromaticity_of_temperature()
 glm::dvec3 color_of_temperature(double kelvin);
 
+/// The luminance of a colour in linear sRGB (IEC 61966-2-1) over that of white.
+constexpr double luminance(const glm::dvec3& color) { return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b; }
+
 }  // namespace litfog

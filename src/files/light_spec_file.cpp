@@ -17,6 +17,7 @@
 #include "litfog/color_temperature.h"
 #include "litfog/light.h"
 #include "model/float_limit.h"
+#include "model/require.h"
 
 namespace litfog {
 
@@ -146,8 +147,8 @@ ConeSpec parse_cone_spec(const JsonValue& value) {
 
 LightSpec parse_spec(const JsonValue& root) {
   expect_header(root, "light-spec", 1);
-  root.allow_only(
-      {"litfog", "version", "name", "source", "color", "color_temperature_k", "density_scale", "range", "cone"});
+  root.allow_only({"litfog", "version", "name", "source", "color", "color_temperature_k", "density_scale",
+                   "source_radius_m", "range", "cone"});
   LightSpec spec{.file = root.file(), .name = std::filesystem::path(root.file()).stem().string()};
   if (const auto name = root.optional("name")) spec.name = name->string();
   if (const auto source = root.optional("source")) {
@@ -164,8 +165,13 @@ LightSpec parse_spec(const JsonValue& root) {
     }
     spec.color_temperature = kelvin;
     spec.color = color_of_temperature(kelvin);
+    spec.color /= luminance(spec.color);
   }
   spec.density_scale = root.number_or("density_scale", spec.density_scale);
+  if (const auto radius = root.optional("source_radius_m")) {
+    spec.source_radius = radius->number();
+    if (!is_finite_and_not_negative(*spec.source_radius)) radius->fail("must be finite and >= 0");
+  }
   Light light;
   light.color = spec.color;
   light.density_scale = spec.density_scale;

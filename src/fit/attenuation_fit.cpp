@@ -11,6 +11,7 @@
 #include "fit/attenuation_reach.h"
 #include "fit/falloff.h"
 #include "fit/falloff_search.h"
+#include "litfog/light.h"
 #include "model/float_limit.h"
 #include "text/shown_number.h"
 
@@ -297,6 +298,11 @@ std::optional<TargetError> find_error(const AttenuationTarget& given) {
     return error("samples", 0, "must be one or more of weight > 0 where there are any");
   }
   return std::nullopt;
+}
+
+LightEnd compute_end(double candela, double lux, double threshold) {
+  // (1 / threshold - 1) candela / (kWhiteLux size), whose factors would leave the range of doubles sooner.
+  return {.size = lux / (kWhiteLux * threshold), .extent = std::sqrt(candela / lux) * std::sqrt(1 - threshold)};
 }
 
 AttenuationFit fit_attenuation(const AttenuationTarget& given) {

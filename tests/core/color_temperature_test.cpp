@@ -55,6 +55,11 @@ TEST(ColorTemperature, DaylightOfTheDisplaysWhiteIsWhite) {
   EXPECT_GT(color_of_temperature(1950).b, 0);
 }
 
+TEST(ColorTemperature, LuminanceIsThatOfLinearSrgb) {
+  EXPECT_DOUBLE_EQ(luminance(glm::dvec3(1)), 1);
+  EXPECT_DOUBLE_EQ(luminance({10, 0, 1}), 2.126 + 0.0722);
+}
+
 TEST(ColorTemperature, TemperatureBeyondTheFormulasIsAnError) {
   for (const double kelvin : {0.0, 999.0, 25001.0, -5000.0, std::numeric_limits<double>::infinity()}) {
     EXPECT_THROW(color_of_temperature(kelvin), std::invalid_argument) << kelvin;

@@ -45,7 +45,7 @@ class LightSpecFile : public testing::Test {
 
 TEST_F(LightSpecFile, EveryMemberIsReadInSiUnits) {
   const LightSpec spec = read(R"("name": "lamp", "source": ["a", "b"], "color": [1, 0.5, 0.25], "density_scale": 0.4,
-    "range": {"threshold": 0.1, "extent_m": 120, "constant": 1,
+    "source_radius_m": 0.08, "range": {"threshold": 0.1, "extent_m": 120, "constant": 1,
               "samples": [{"range_m": 10, "attenuation": 0.8}, {"range_m": 20, "attenuation": 0.5, "weight": 3}]},
     "cone": {"profile": "smoothstep", "half_angle_deg": 45, "beam_angle_deg": 90, "field_angle_deg": 180,
              "samples": [{"angle_deg": 0, "intensity": 7}, {"angle_deg": 18, "intensity": 2, "weight": 2}]})");
@@ -54,6 +54,7 @@ TEST_F(LightSpecFile, EveryMemberIsReadInSiUnits) {
   EXPECT_EQ(spec.source, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(spec.color, glm::dvec3(1, 0.5, 0.25));
   EXPECT_EQ(spec.density_scale, 0.4);
+  EXPECT_EQ(spec.source_radius, 0.08);
   ASSERT_TRUE(spec.range);
   EXPECT_EQ(spec.range->threshold, 0.1);
   EXPECT_EQ(spec.range->extent, 120);
@@ -81,6 +82,7 @@ TEST_F(LightSpecFile, MissingMembersHaveTheirDefaults) {
   EXPECT_TRUE(spec.source.empty());
   EXPECT_EQ(spec.color, glm::dvec3(1));
   EXPECT_EQ(spec.density_scale, 1);
+  EXPECT_EQ(spec.source_radius, std::nullopt);
   EXPECT_EQ(spec.range->threshold, 0.05);
   EXPECT_EQ(spec.range->family, RangeSpec::Family::quadratic);
   EXPECT_FALSE(spec.cone);
@@ -97,7 +99,8 @@ TEST_F(LightSpecFile, UnitsOfDataSheetsAreRead) {
   const LightSpec spec = read(R"("color_temperature_k": 3200,
     "range": {"end_lx": "night", "illuminance": {"range_m": 10, "lx": 120}})");
   EXPECT_EQ(spec.color_temperature, 3200);
-  EXPECT_EQ(spec.color, color_of_temperature(3200));
+  EXPECT_NEAR(luminance(spec.color), 1, 1e-15);
+  EXPECT_EQ(spec.color, color_of_temperature(3200) / luminance(color_of_temperature(3200)));
   EXPECT_EQ(spec.range->end_illuminance, 8e-7);
   EXPECT_EQ(spec.range->illuminance, (RangeSpec::Illuminance{.range = 10, .lux = 120}));
   EXPECT_EQ(error_of(R"("color_temperature_k": 900, "range": {"extent_m": 1})"),

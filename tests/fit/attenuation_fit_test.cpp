@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/value_errors.h"
+#include "litfog/light.h"
 #include "reference/double_limits.h"
 #include "reference/falloff_reference.h"
 #include "reference/random_light.h"
@@ -246,6 +247,22 @@ TEST(AttenuationFit, ExtentAloneHasItsClosedForms) {
   EXPECT_EQ(fit(AttenuationFamily::mixed, {}), (Attenuation{1, 0.25, 1.5 / 36}));
   EXPECT_EQ(fit(AttenuationFamily::quadratic, 0), (Attenuation{0, 0, 4 / 36.}));
   EXPECT_EQ(fit(AttenuationFamily::linear, 2.5), (Attenuation{2.5, 0.25, 0}));
+}
+
+TEST(AttenuationFit, LightOfAnEndHasItsCandelaAndItsIlluminanceThere) {
+  Random random(40);
+  WorstError error("candela(light)", "1e-3..1e8 cd, 1e-8..1e3 lx, t 1e-6..0.99", kLightEndMaxError, "relative");
+  for (int i = 0; i < 3000; ++i) {
+    const double peak = random.log_uniform(1e-3, 1e8), lux = random.log_uniform(1e-8, 1e3);
+    const double threshold = random.chance(0.5) ? kDefaultThreshold : random.log_uniform(1e-6, 0.99);
+    const auto [size, extent] = compute_end(peak, lux, threshold);
+    const AttenuationTarget target{.threshold = threshold, .extent = extent};
+    const Light light{.color = {size, 0, 2 * size}, .attenuation = fit_attenuation(target).attenuation};
+    error.add(std::abs(candela(light).r / peak - 1), [&] { return describe(target); });
+    EXPECT_NEAR(kWhiteLux * size * attenuation_at(light.attenuation, extent) / lux, 1, 1e-13);
+  }
+  error.check();
+  EXPECT_EQ(compute_end(100, 1, 0.05).size, 1) << "of the lights of data/lights";
 }
 
 TEST(AttenuationFit, ExtentAndAPointHaveTheirClosedForm) {

@@ -18,6 +18,7 @@
 #include "command/exit_status.h"
 #include "files/json_document.h"
 #include "litfog/attenuation.h"
+#include "litfog/color_temperature.h"
 #include "litfog/cone.h"
 #include "litfog/files/light_file.h"
 #include "litfog/fit/cone_fit.h"
@@ -256,7 +257,8 @@ TEST_F(FitCommand, PhotometricFileIsALight) {
   EXPECT_EQ(fitted.name, "spot");
   EXPECT_EQ(fitted.color, glm::dvec3(1));
   EXPECT_EQ(fitted.attenuation.constant, 1);
-  EXPECT_NEAR(compute_extent(fitted.attenuation, fitted.threshold), 10, 1e-11) << "100 cd give 1 lx at 10 m";
+  EXPECT_NEAR(candela(fitted).r, 100, 1e-12);
+  EXPECT_EQ(fitted.source_radius, 0.05);
   const std::string report = run("spot.ies").out;
   EXPECT_NE(report.find("The beam is not rotationally symmetric"), std::string::npos);
   EXPECT_NE(report.find("100 cd, 0 deg off the photometric axis"), std::string::npos);
@@ -325,14 +327,15 @@ TEST_F(FitCommand, PlotOfLightsOfVeryDifferentReachHasALogarithmicRange) {
 
 TEST_F(FitCommand, ReportShowsNumbersAsTheyWereWritten) {
   write("bright.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 1234567, "end_lx": 2.25}})");
-  EXPECT_NE(run("bright.json").out.find("sqrt(1234567 cd / 2.25 lx) = 740.74 m, where the light gives 2.25 lx."),
+  EXPECT_NE(run("bright.json")
+                .out.find("sqrt((1 - 0.05) * 1234567 cd / 2.25 lx) = 721.985 m, where the light gives 2.25 lx."),
             std::string::npos);
   write("far.json",
         R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 450.123456, "threshold": 0.0123456}})");
   EXPECT_NE(run("far.json").out.find("450.123456 m, where the attenuation is 0.0123456 (wanted 450.123456 m)"),
             std::string::npos);
   write("beyond.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 12345.678, "constant": 20.1}})");
-  EXPECT_NE(run("beyond.json").err.find(" an extent of 111.111 m at threshold 0.05: from 0 to 19.99998 can\n"),
+  EXPECT_NE(run("beyond.json").err.find(" an extent of 108.298 m at threshold 0.05: from 0 to 19.99998 can\n"),
             std::string::npos);
   EXPECT_NE(run("beyond.json").out.find("poor: no attenuation has the extent and constant given"), std::string::npos);
 }
@@ -399,7 +402,18 @@ TEST_F(FitCommand, AdviceNamesThePeakOfOneAngleAndColorsInBytes) {
   EXPECT_TRUE(has_advice(beam + "}", of_flux));
   EXPECT_FALSE(has_advice(beam + R"(, "field_angle_deg": 60})", of_flux));
   EXPECT_TRUE(has_advice(R"("color": [255, 200, 100], "range": {"extent_m": 100})", "color reaches 255"));
-  EXPECT_FALSE(has_advice(R"("color": [2, 0.8, 0.4], "range": {"extent_m": 100})", "color"));
+  EXPECT_FALSE(has_advice(R"("color": [0, 0, 13.85], "range": {"extent_m": 100})", "color"));
+  const std::string of_luminance = "color's luminance is 0.5";
+  EXPECT_TRUE(has_advice(R"("color": [0.5, 0.5, 0.5], "range": {"peak_cd": 100})", of_luminance));
+  EXPECT_FALSE(has_advice(R"("color": [0.5, 0.5, 0.5], "range": {"extent_m": 100})", of_luminance));
+  EXPECT_FALSE(has_advice(R"("color": [1.727, 0.864, 0.207], "range": {"peak_cd": 100})", "color"));
+  const std::string of_size = "a source radius of 0.05 m is taken";
+  EXPECT_TRUE(has_advice(R"("range": {"peak_cd": 100})", of_size));
+  EXPECT_FALSE(has_advice(R"("source_radius_m": 0.05, "range": {"peak_cd": 100})", of_size));
+  std::string wide = kIes;
+  wide.replace(wide.find("1 2 0 0 0"), 9, "1 2 8 3 0");
+  write("wide.ies", wide);
+  EXPECT_TRUE(has_advice(R"("cone": {"photometry": "wide.ies"})", "2.76 m, of the luminous opening, is more than"));
 }
 
 TEST_F(FitCommand, ValuesOfAnotherKindAreAnsweredWithTheirRule) {
@@ -408,7 +422,7 @@ TEST_F(FitCommand, ValuesOfAnotherKindAreAnsweredWithTheirRule) {
     const std::string message = run("spec.json").err;
     EXPECT_TRUE(message.ends_with(end + "\n")) << message;
   };
-  expect_rule(R"("range": {"extent_m": 9}, "power_w": 9)", "density_scale, range, cone");
+  expect_rule(R"("range": {"extent_m": 9}, "power_w": 9)", "density_scale, source_radius_m, range, cone");
   const std::string row = ": must be an object of range_m and lx, as one row of a table";
   expect_rule(R"("range": {"illuminance": [{"range_m": 1, "lx": 900}, {"range_m": 2, "lx": 225}]})", row);
   expect_rule(R"("range": {"illuminance": 900})", row);
@@ -540,9 +554,9 @@ TEST_F(FitCommand, InputThatNoFitTakesIsNamedAndTheOthersAreFitted) {
   fs::create_directory(directory() / "lights");
   const Outcome outcome = run("beam.json tiny.ies spot.ies -o lights");
   EXPECT_EQ(outcome.status, kBadInput);
-  EXPECT_EQ(
-      outcome.err,
-      "tiny.ies:7:1: largest intensity = 1e-298: must give an extent: extent = 1e-149: must be in [1e-30, 1e30]\n");
+  EXPECT_EQ(outcome.err,
+            "tiny.ies:7:1: largest intensity = 1e-298: must give an extent: extent = 9.746794344808963e-150: must be "
+            "in [1e-30, 1e30]\n");
   EXPECT_TRUE(files().contains("lights/beam.json"));
   EXPECT_TRUE(files().contains("lights/spot.json"));
   EXPECT_FALSE(files().contains("lights/tiny.json"));
@@ -581,6 +595,27 @@ TEST_F(FitCommand, PlotIsAMissingCapabilityWithoutGnuplot) {
 }
 
 // ---- what the report says is so ----
+
+TEST_F(FitCommand, ReportHasTheIlluminanceOfTheLightNearAndFar) {
+  write("near.json", R"({"litfog": "light-spec", "version": 1, "source_radius_m": 0.5, "range": {"peak_cd": 1000}})");
+  const std::string report = run("near.json").out;
+  EXPECT_NE(report.find("  candela         1000\n"), std::string::npos) << report;
+  EXPECT_NE(report.find("  source radius   0.5 m\n"), std::string::npos) << report;
+  std::istringstream rows(report.substr(report.find("range_m")));
+  std::string columns;
+  std::getline(rows, columns);
+  for (const double range : {1., 3., 10., 30., 100.}) {
+    double shown = 0, lux = 0, data = 0, error = 0;
+    rows >> shown >> lux >> data >> error;
+    EXPECT_EQ(shown, range);
+    const double wanted = 1000 / (range * range + 0.25);
+    EXPECT_NEAR(lux / wanted, 1, 1e-4) << range;
+    EXPECT_NEAR(data, 1000 / (range * range), 1e-4 * data);
+    EXPECT_NEAR(error, 100 * (wanted / data - 1), 0.005 * std::abs(error));
+  }
+  write("reach.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 100}})");
+  EXPECT_EQ(run("reach.json").out.find("data_lx"), std::string::npos) << "nothing is stated";
+}
 
 TEST_F(FitCommand, ErrorsOfAFalloffTableAreTheSameSignedFractionsInTextAndJson) {
   write("table.json", R"({"litfog": "light-spec", "version": 1, "range": {"constant": 1, "samples": [
@@ -689,8 +724,8 @@ TEST_F(FitCommand, DerivedFiguresAreToldWithTheirSteps) {
   write("steps.json", R"({"litfog": "light-spec", "version": 1, "source": "maker", "color_temperature_k": 3200,
     "range": {"flux_lm": 900, "end_lx": "night"}, "cone": {"beam_angle_deg": [24, 6], "field_angle_deg": [48, 12]}})");
   const auto report = nlohmann::json::parse(run("steps.json --format json").out)[0];
-  ASSERT_EQ(report["derived"].size(), 5u) << "color, two angles, peak, extent";
-  EXPECT_EQ(report["light"]["source"].size(), 6u) << "the maker's and the steps";
+  ASSERT_EQ(report["derived"].size(), 6u) << "color, two angles, peak, extent, color";
+  EXPECT_EQ(report["light"]["source"].size(), 7u) << "the maker's and the steps";
   EXPECT_EQ(report["beam"]["flux_lm"], 900);
   EXPECT_EQ(report["beam"]["beam_angle_deg"], nlohmann::json::parse("[24, 6]"));
   EXPECT_EQ(report["beam"]["field_angle_deg"], nlohmann::json::parse("[48, 12]"));
@@ -909,12 +944,12 @@ TEST_F(FitCommand, WhatCannotBeReadInAFolderIsNamedAndTheOthersAreFitted) {
             "lamps/locked: cannot be searched: Permission denied\n"
             "lamps/secret.csv: cannot be read: Permission denied\n"
             "lamps/secret.json: cannot be read: Permission denied\n");
-  for (const char* line : {"\nlamps/open/spot.ies,10,", "\nlamps/open/beam.json,100,", "\nspot.ies,10,"}) {
+  for (const char* line : {"\nlamps/open/spot.ies,9.74679", "\nlamps/open/beam.json,100,", "\nspot.ies,9.74679"}) {
     EXPECT_NE(outcome.out.find(line), std::string::npos) << line << outcome.out;
   }
   const Outcome alone = run("lamps/locked spot.ies --format csv", user);
   EXPECT_EQ(alone.err, "lamps/locked: cannot be searched: Permission denied\n");
-  EXPECT_NE(alone.out.find("\nspot.ies,10,"), std::string::npos) << alone.out;
+  EXPECT_NE(alone.out.find("\nspot.ies,9.74679"), std::string::npos) << alone.out;
   for (const char* folder : {"locked", "listed"}) fs::permissions(directory() / "lamps" / folder, owner_all);
 }
 
@@ -933,7 +968,7 @@ TEST_F(FitCommand, InputOfAnyErrorIsNamedAndTheOthersAreFitted) {
   }
   EXPECT_FALSE(std::getline(lines, line)) << line;
   EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"cut.xml", "absent-light", "cut.gldf", "spot.ies"}));
-  EXPECT_NE(outcome.out.find("\nspot.ies,10,"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("\nspot.ies,9.74679"), std::string::npos) << outcome.out;
 }
 
 TEST_F(FitCommand, LightThatCannotBeWrittenIsNamedAndTheOthersAreWritten) {
@@ -1169,7 +1204,12 @@ TEST_F(FitCommand, ShippedLightsAreWhatTheirSpecsGive) {
     EXPECT_EQ(made.name, shipped.name);
     EXPECT_EQ(made.color, shipped.color);
     EXPECT_EQ(made.threshold, shipped.threshold);
+    EXPECT_EQ(made.density_scale, 1);
     EXPECT_EQ(made.density_scale, shipped.density_scale);
+    EXPECT_EQ(made.source_radius, shipped.source_radius);
+    EXPECT_GT(made.source_radius, 0);
+    const auto spec = nlohmann::json::parse(std::ifstream(LITFOG_DATA_DIR "/specs/" + name));
+    EXPECT_NEAR(luminance(candela(made)) / spec["range"]["peak_cd"].get<double>(), 1, 2e-4) << "luminance of its color";
     // Another compiler's mathematics may differ in the last digits.
     const auto expect_near = [](double a, double b) { EXPECT_NEAR(a, b, 1e-9 * std::abs(b)); };
     expect_near(made.attenuation.constant, shipped.attenuation.constant);
@@ -1180,10 +1220,9 @@ TEST_F(FitCommand, ShippedLightsAreWhatTheirSpecsGive) {
     expect_near(made.cone.exponent, shipped.cone.exponent);
     expect_near(made.cone.inner, shipped.cone.inner);
     expect_near(made.cone.outer, shipped.cone.outer);
-    const auto lines = [](const std::string& path) {
-      return nlohmann::json(nlohmann::json::parse(std::ifstream(path)));
-    };
-    EXPECT_EQ(lines(LITFOG_DATA_DIR "/specs/" + name)["source"], lines(LITFOG_DATA_DIR "/lights/" + name)["source"]);
+    const auto lines = nlohmann::json::parse(std::ifstream(LITFOG_DATA_DIR "/lights/" + name))["source"];
+    ASSERT_GT(lines.size(), spec["source"].size()) << "and what was derived";
+    EXPECT_TRUE(std::equal(spec["source"].begin(), spec["source"].end(), lines.begin()));
   }
   EXPECT_GE(count, 20u);
 }

@@ -49,13 +49,12 @@ double flux_of(const IntensityDistribution& distribution) {
   });
 }
 
-/// Candela of a white light file's peak: it gives 1 lx on its axis at its extent.
+/// Candela of a white light file's peak: a colour of 1 at an attenuation of 1 is 20 lx.
 double candela_of(const json& light) {
   EXPECT_EQ(light["color"], json({1.0, 1.0, 1.0}));
   EXPECT_EQ(light["attenuation"]["constant"], 1.0);
   EXPECT_EQ(light["attenuation"]["linear"], 0.0);
-  const double threshold = light["threshold"], quadratic = light["attenuation"]["quadratic"];
-  return (1 / threshold - 1) / quadratic;
+  return 20 / light["attenuation"]["quadratic"].get<double>();
 }
 
 /// Lumens of a light by its cone.

@@ -70,7 +70,7 @@ class LightTargetFile : public testing::Test {
 TEST_F(LightTargetFile, EveryMemberIsRead) {
   const LightTarget target = read(R"({"litfog": "light-spec", "version": 1, "name": "lamp", "source": ["a", "b"],
     "color": [1, 0.5, 0.25], "density_scale": 0.4,
-    "range": {"threshold": 0.1, "extent_m": 120, "constant": 1,
+    "source_radius_m": 0.08, "range": {"threshold": 0.1, "extent_m": 120, "constant": 1,
               "samples": [{"range_m": 10, "attenuation": 0.8}, {"range_m": 20, "attenuation": 0.5, "weight": 3}]},
     "cone": {"profile": "smoothstep", "half_angle_deg": 45, "beam_angle_deg": 11, "field_angle_deg": 22,
              "samples": [{"angle_deg": 0, "intensity": 7}, {"angle_deg": 18, "intensity": 2, "weight": 2}]}})");
@@ -78,6 +78,8 @@ TEST_F(LightTargetFile, EveryMemberIsRead) {
   EXPECT_EQ(target.source, (std::vector<std::string>{"a", "b"}));
   EXPECT_EQ(target.color, glm::dvec3(1, 0.5, 0.25));
   EXPECT_EQ(target.density_scale, 0.4);
+  EXPECT_EQ(target.source_radius, 0.08);
+  EXPECT_EQ(target.source_radius_location.line, 3u);
   ASSERT_TRUE(target.range);
   EXPECT_EQ(target.range->threshold, 0.1);
   EXPECT_EQ(target.range->extent, 120);
@@ -115,40 +117,55 @@ TEST_F(LightTargetFile, PhotometryIsRelativeToTheSpecAndGivesAnExtent) {
   EXPECT_DOUBLE_EQ(target.cone->samples[1].angle, pi / 36);
   EXPECT_NEAR(target.cone->samples[1].intensity, 80, 1e-12);
   EXPECT_EQ(target.cone->samples[1].weight, 1);
-  EXPECT_EQ(target.range->extent, 10) << "100 cd give 1 lx at 10 m";
-  EXPECT_NE(target.derived.back().find("sqrt(100 cd / 1 lx) = 10 m"), std::string::npos);
+  EXPECT_DOUBLE_EQ(*target.range->extent, std::sqrt(95)) << "20 lx / 100 cd is Q";
+  EXPECT_NE(target.derived.back().find("sqrt((1 - 0.05) * 100 cd / 1 lx) = 9.74679 m"), std::string::npos);
   const LightTarget given =
       read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"}, "range": {"extent_m": 7}})");
   EXPECT_EQ(given.range->extent, 7);
   EXPECT_TRUE(given.source.empty());
 }
 
-TEST_F(LightTargetFile, PeakAndIlluminanceGiveTheExtentAndTheirSteps) {
-  const auto extent_of = [this](const std::string& range) {
-    const LightTarget target = read(R"({"litfog": "light-spec", "version": 1, "range": {)" + range + "}}");
-    EXPECT_TRUE(target.derived.back().starts_with("Extent: sqrt(")) << target.derived.back();
-    return *target.range->extent;
+TEST_F(LightTargetFile, LightHasTheCandelaAndTheEndThatAreStated) {
+  const auto expect_light = [this](const std::string& range, double peak, double end) {
+    const LightTarget target =
+        read(R"({"litfog": "light-spec", "version": 1, "color": [2, 0.5, 0], "range": {)" + range + "}}");
+    const Light light = fit_light(target, false).light;
+    EXPECT_NEAR(candela(light).r / peak, 2, 2 * kLightEndMaxError) << range;
+    EXPECT_NEAR(candela(light).g / peak, 0.5, kLightEndMaxError) << range;
+    const double extent = compute_extent(light.attenuation, light.threshold);
+    EXPECT_NEAR(kWhiteLux * light.color.r * attenuation_at(light.attenuation, extent) / end, 2, 1e-12) << range;
   };
-  EXPECT_DOUBLE_EQ(extent_of(R"("peak_cd": 400)"), 20) << "1 lx";
-  EXPECT_DOUBLE_EQ(extent_of(R"("peak_cd": 400, "end_lx": 4)"), 10);
-  EXPECT_DOUBLE_EQ(extent_of(R"("illuminance": {"range_m": 10, "lx": 4})"), 20);
-  EXPECT_DOUBLE_EQ(extent_of(R"("peak_cd": 80, "end_lx": "night")"), 1e4) << "8e-7 lx";
-  EXPECT_DOUBLE_EQ(extent_of(R"("peak_cd": 10, "end_lx": "bright day")"), 100);
+  expect_light(R"("peak_cd": 400)", 400, 1);
+  expect_light(R"("peak_cd": 400, "end_lx": 4)", 400, 4);
+  expect_light(R"("peak_cd": 400, "end_lx": 4, "threshold": 0.2)", 400, 4);
+  expect_light(R"("illuminance": {"range_m": 10, "lx": 4})", 400, 1);
+  expect_light(R"("peak_cd": 80, "end_lx": "night")", 80, 8e-7);
+  expect_light(R"("peak_cd": 10, "end_lx": "bright day")", 10, 1e-3);
+  expect_light(R"("flux_lm": 1256.6370614359173, "end_lx": 9)", 100, 9);
+}
+
+TEST_F(LightTargetFile, PeakGivesTheExtentAndTheColorInSteps) {
   write("lamp.ies", kIes);
   const LightTarget night = read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"},
                                      "range": {"end_lx": 1e-4, "threshold": 0.01}})");
-  EXPECT_DOUBLE_EQ(*night.range->extent, 1000);
-  EXPECT_EQ(night.derived.back(),
-            "Extent: sqrt(100 cd / 0.0001 lx) = 1000 m, where the light gives 0.0001 lx, what a pilot sees by day, "
-            "commonly given after ICAO Annex 3, attachment D.");
+  EXPECT_DOUBLE_EQ(*night.range->extent, std::sqrt(0.99e6));
+  EXPECT_DOUBLE_EQ(night.size, 5e-4);
+  ASSERT_EQ(night.derived.size(), 3u);
+  EXPECT_EQ(night.derived[1],
+            "Extent: sqrt((1 - 0.01) * 100 cd / 0.0001 lx) = 994.987 m, where the light gives 0.0001 lx, what a pilot "
+            "sees by day, commonly given after ICAO Annex 3, attachment D.");
+  EXPECT_EQ(night.derived[2], "Color: times 0.0001 lx / (20 lx * 0.01) = 0.0005, because 1 stands for 20 lx.");
   const auto of_range = [this](const char* members) { return error_with("\"range\": {" + std::string(members) + "}"); };
   EXPECT_EQ(of_range(R"("peak_cd": 1e-300)"),
-            "f.json:2:22: range.peak_cd = 1e-300: the extent that follows, 1e-150 m, must be in [1e-30, 1e30]");
+            "f.json:2:22: range.peak_cd = 1e-300: the extent that follows, 9.75e-151 m, must be in [1e-30, 1e30]");
   EXPECT_EQ(of_range(R"("flux_lm": 1e305)").substr(0, 36), "f.json:2:22: range.flux_lm = 1e305: ");
   EXPECT_EQ(of_range(R"("illuminance": {"range_m": 1e200, "lx": 1})"),
             "f.json:2:26: range.illuminance = an object: the extent that follows, inf m, must be in [1e-30, 1e30]");
   EXPECT_EQ(of_range(R"("peak_cd": 1000, "end_lx": 1e-300)"),
-            "f.json:2:38: range.end_lx = 1e-300: the extent that follows, 3.16e+151 m, must be in [1e-30, 1e30]");
+            "f.json:2:38: range.end_lx = 1e-300: the extent that follows, 3.08e+151 m, must be in [1e-30, 1e30]");
+  EXPECT_EQ(of_range(R"("peak_cd": 1e300, "end_lx": 1e300, "threshold": 1e-12)"),
+            "f.json:2:39: range.end_lx = 1e300: the color that follows, times inf, must be finite");
+  EXPECT_TRUE(of_range(R"("peak_cd": 1, "threshold": 1)").starts_with("f.json:2:38: range.threshold = 1: must be "));
   EXPECT_EQ(error_with(R"("range": {"end_lx": 1})"),
             "f.json:2:10: range.peak_cd: must be given, or illuminance, flux_lm or the cone's photometry, for "
             "end_lx");
@@ -157,7 +174,6 @@ TEST_F(LightTargetFile, PeakAndIlluminanceGiveTheExtentAndTheirSteps) {
 TEST_F(LightTargetFile, FluxGivesThePeakByTheConesSolidAngle) {
   const LightTarget point = read(R"({"litfog": "light-spec", "version": 1, "range": {"flux_lm": 1256.6370614359173}})");
   EXPECT_DOUBLE_EQ(*point.peak, 100) << "4 pi sr";
-  EXPECT_DOUBLE_EQ(*point.range->extent, 10);
   EXPECT_EQ(point.flux, 1256.6370614359173);
   EXPECT_EQ(point.derived.front(),
             "Peak: 1256.64 lm / 12.5664 sr = 100 cd, with the flux of a point light per candela.");
@@ -165,9 +181,8 @@ TEST_F(LightTargetFile, FluxGivesThePeakByTheConesSolidAngle) {
   const LightTarget lamp = read(R"({"litfog": "light-spec", "version": 1, "range": {"flux_lm": 10000, "end_lx": 4},
                                     "cone": {"profile": "cosine", "half_angle_deg": 90, "beam_angle_deg": 120}})");
   EXPECT_NEAR(*lamp.peak, 10000 / pi, 1e-6) << "a cosine's solid angle is pi";
-  EXPECT_NEAR(*lamp.range->extent, std::sqrt(10000 / pi / 4), 1e-8);
   const Light light = fit_light(lamp, false).light;
-  EXPECT_NEAR(flux_within(light.cone, pi) * *lamp.peak, 10000, 1e-6) << "the fitted light has the flux";
+  EXPECT_NEAR(flux_within(light.cone, pi) * candela(light).r, 10000, 1e-6) << "the fitted light has the flux";
 
   write("lamp.ies", kIes);
   const LightTarget measured = read(R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lamp.ies"},
@@ -185,7 +200,7 @@ TEST_F(LightTargetFile, PhotometryIsScaledToAStatedPeak) {
   for (const char* range : {R"("peak_cd": 400)", R"("illuminance": {"range_m": 2, "lx": 100})"}) {
     const LightTarget target = read_range(range);
     EXPECT_DOUBLE_EQ(find_peak(target.luminaire->distribution).intensity, 400);
-    EXPECT_DOUBLE_EQ(*target.range->extent, 20);
+    EXPECT_DOUBLE_EQ(*target.light_peak, 400);
     EXPECT_EQ(target.derived[target.derived.size() - 2], "Photometry: times 4, from its peak of 100 cd to 400 cd.");
   }
   EXPECT_EQ(read_range(R"("peak_cd": 100)").derived.size(), 2u) << "the cone's and the extent's: nothing to scale";
@@ -250,16 +265,17 @@ TEST_F(LightTargetFile, WrongAnglesOfAnEllipticalBeamAreErrors) {
 TEST_F(LightTargetFile, ColorTemperatureIsTheColor) {
   const LightTarget target =
       read(R"({"litfog": "light-spec", "version": 1, "color_temperature_k": 3200, "range": {"extent_m": 1}})");
-  EXPECT_EQ(target.color, color_of_temperature(3200));
+  EXPECT_DOUBLE_EQ(luminance(target.color), 1);
   ASSERT_EQ(target.derived.size(), 1u);
-  EXPECT_TRUE(target.derived[0].starts_with("Color: 3200 K is 1 0.")) << target.derived[0];
+  EXPECT_TRUE(target.derived[0].ends_with("linear sRGB of luminance 1.")) << target.derived[0];
 }
 
 TEST_F(LightTargetFile, PhotometricFileAloneIsAWhiteLightOfItsName) {
   const LightTarget target = read_photometric_spec(write("lamp.ies", kIes));
   EXPECT_EQ(target.name, "spot");
   EXPECT_EQ(target.color, glm::dvec3(1));
-  EXPECT_EQ(target.range->extent, 10);
+  EXPECT_EQ(target.light_peak, 100);
+  EXPECT_EQ(target.size, 1);
   EXPECT_EQ(target.cone->samples.size(), 5u);
   EXPECT_EQ(target.source, std::vector<std::string>{"lamp.ies: maker"});
   ASSERT_EQ(target.derived.size(), 2u);
@@ -272,11 +288,13 @@ TEST_F(LightTargetFile, WrongMemberIsAnErrorAtItsLocation) {
   EXPECT_EQ(error_with("\"name\": \"x\""), "f.json:1:1: range or cone: must be given");
   EXPECT_EQ(error_with("\"beam\": 1"),
             "f.json:2:1: \"beam\": must be one of litfog, version, name, source, color, color_temperature_k, "
-            "density_scale, range, cone");
+            "density_scale, source_radius_m, range, cone");
   EXPECT_EQ(error_with("\"color\": [1, -1, 1], \"range\": {\"extent_m\": 1}"),
             "f.json:2:14: color[1] = -1: must be finite and >= 0");
   EXPECT_EQ(error_with("\"density_scale\": -1, \"range\": {\"extent_m\": 1}"),
             "f.json:2:18: density_scale = -1: must be finite and >= 0");
+  EXPECT_EQ(error_with("\"source_radius_m\": -1, \"range\": {\"extent_m\": 1}"),
+            "f.json:2:20: source_radius_m = -1: must be finite and >= 0");
   EXPECT_EQ(
       error_with("\"range\": {\"extent\": 1}"),
       "f.json:2:11: \"extent\": must be one of threshold, extent_m, end_lx, peak_cd, illuminance, flux_lm, constant, "
@@ -285,6 +303,45 @@ TEST_F(LightTargetFile, WrongMemberIsAnErrorAtItsLocation) {
             "f.json:2:10: \"angle\": must be one of profile, half_angle_deg, beam_angle_deg, field_angle_deg, samples, "
             "photometry");
   EXPECT_EQ(error_with("\"range\": {\"extent_m\": NaN}").substr(0, 12), "f.json:2:23:");
+}
+
+TEST_F(LightTargetFile, SourceRadiusIsAsStatedOrOfTheOpeningOrAssumed) {
+  const auto radius_of = [this](const std::string& members) {
+    return fit_light(read("{\"litfog\": \"light-spec\", \"version\": 1,\n" + members + "}"), false).light.source_radius;
+  };
+  const auto error_of_radius = [&](const std::string& members) {
+    try {
+      radius_of(members);
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(directory_.path().string().size() + 1);
+    }
+    return std::string("(accepted)");
+  };
+  const std::string samples = R"("samples": [{"range_m": 1, "attenuation": 0.5}, {"range_m": 2, "attenuation": 0.2}])";
+  EXPECT_EQ(radius_of(R"("source_radius_m": 0.3, "range": {"peak_cd": 100})"), 0.3);
+  EXPECT_EQ(radius_of(R"("source_radius_m": 0, "range": {"peak_cd": 100})"), 0);
+  EXPECT_EQ(radius_of(R"("range": {"peak_cd": 100})"), kDefaultSourceRadius);
+  EXPECT_EQ(radius_of(R"("range": {"extent_m": 9})"), kDefaultSourceRadius);
+  EXPECT_EQ(radius_of(R"("range": {"extent_m": 9, "family": "linear"})"), 0) << "Q is 0";
+  EXPECT_EQ(radius_of(R"("cone": {"beam_angle_deg": 9})"), 0) << "no range";
+  EXPECT_EQ(radius_of("\"range\": {" + samples + "}"), 0) << "the table says how bright it is near the lamp";
+  EXPECT_EQ(radius_of("\"source_radius_m\": 0.1, \"range\": {" + samples + "}"), 0.1);
+  EXPECT_EQ(
+      error_of_radius(R"("source_radius_m": 2.5, "range": {"peak_cd": 100})"),
+      "f.json:2:20: source_radius_m = 2.5: must be <= sqrt(attenuation.constant / quadratic); C is 1 and Q is 0.2 "
+      "/m^2");
+  EXPECT_EQ(error_of_radius(R"("source_radius_m": 0.1, "range": {"extent_m": 9, "family": "linear"})"),
+            "f.json:2:20: source_radius_m = 0.1: must be 0 where attenuation.quadratic is 0; C is 1 and Q is 0 /m^2");
+
+  std::string lamp = kIes;
+  const std::string none = "1 1 2 0 0 0";
+  lamp.replace(lamp.find(none), none.size(), "1 1 2 -0.2 -0.2 0");
+  write("lamp.ies", lamp);
+  EXPECT_DOUBLE_EQ(radius_of(R"("cone": {"photometry": "lamp.ies"})"), 0.1);
+  EXPECT_EQ(radius_of(R"("cone": {"photometry": "lamp.ies"}, "source_radius_m": 0.3)"), 0.3);
+  lamp.replace(lamp.find("-0.2 -0.2"), 9, "8 3");
+  write("wide.ies", lamp);
+  EXPECT_NEAR(radius_of(R"("cone": {"photometry": "wide.ies"})"), std::sqrt(5), 1e-14) << "100 cd: Q is 0.2";
 }
 
 TEST_F(LightTargetFile, RangesThatNoFitTakesAreAnError) {
@@ -359,7 +416,8 @@ TEST_F(LightTargetFile, UnusablePhotometryIsAnError) {
       << error_with(R"("cone": {"photometry": "absent.ies"})");
   write("tiny.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1e-300 2 1 1 2 0 0 0\n1 1 0\n0 90\n0\n100 100\n");
   EXPECT_EQ(error_with(R"("cone": {"photometry": "tiny.ies"})"),
-            "tiny.ies:7:1: largest intensity = 1e-298: must give an extent: extent = 1e-149: must be in [1e-30, 1e30]");
+            "tiny.ies:7:1: largest intensity = 1e-298: must give an extent: extent = 9.746794344808963e-150: must be "
+            "in [1e-30, 1e30]");
   EXPECT_EQ(error_with(R"("cone": {"photometry": 1})"), "f.json:2:24: cone.photometry = 1: must be a string");
 }
 

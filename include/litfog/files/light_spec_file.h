@@ -25,15 +25,18 @@ namespace litfog {
 ///       "name": "landing lamp",                 optional: the file's name without its ending
 ///       "source": "where the figures are from", optional, or an array of such; the light's
 ///       "color": [1, 0.9, 0.8],                 optional: white; the light's; or
-///       "color_temperature_k": 3200,            instead: 1000 to 25000 (litfog/color_temperature.h)
+///       "color_temperature_k": 3200,            instead, with a luminance of 1: 1000 to 25000
+///                                               (litfog/color_temperature.h)
 ///       "density_scale": 0.4,                   optional: 1; the light's
+///       "source_radius_m": 0.08,                optional: that of a disc of the area of the photometry's luminous
+///                                               opening, or 0.05, as far as the light can have it; the light's
 ///       "range": {                              optional, and each member of it, but not an extent and samples both
 ///         "threshold": 0.05,                    the light's
 ///         "extent_m": 120,                      where the attenuation is to be the threshold, met exactly; or instead
 ///         "end_lx": 1,                          where its peak gives that much in clear air; or a name of
 ///                                               kVisualThresholds, such as "night"; default: 1
-///         "peak_cd": 12000,                     the beam's largest; default: that of the cone's photometry, which is
-///                                               scaled to it; or
+///         "peak_cd": 12000,                     the beam's largest, of a colour of luminance 1; default: that of the
+///                                               cone's photometry, which is scaled to it; or
 ///         "illuminance": {"range_m": 10, "lx": 120},     instead, in clear air: the peak is lx * range_m^2; or
 ///         "flux_lm": 900,                       instead, of the whole light: the peak is the flux over that of the
 ///                                               cone or the photometry with a peak of 1 cd
@@ -143,6 +146,7 @@ struct LightSpec {
   glm::dvec3 color{1.0};
   std::optional<double> color_temperature = {};  ///< kelvin, if the color was given by it
   double density_scale = 1;
+  std::optional<double> source_radius = {};  ///< metres, >= 0
   std::optional<RangeSpec> range = {};
   std::optional<ConeSpec> cone = {};
   std::shared_ptr<const LightSpecText> text = {};  ///< the file as read, for error_at

@@ -42,6 +42,25 @@ struct AttenuationTarget {
 /// What is wrong with a target, or nothing.
 std::optional<TargetError> find_error(const AttenuationTarget& target);
 
+/// What makes a light one of so many candela.
+struct LightEnd {
+  double size;    ///< its colour is multiplied by this
+  double extent;  ///< metres, of its attenuation
+};
+
+/// Largest relative error of candela(light) of a light that was made by compute_end and fit_attenuation.
+inline constexpr double kLightEndMaxError = 2e-15;
+
+/// Where a light ends that gives a stated illuminance there in clear air. With an attenuation of C = 1 and L = 0 that
+/// has the extent, and a colour c times size, candela(light) is c times the candela:
+///   size = lux / (kWhiteLux threshold), extent = sqrt((1 / threshold - 1) / Q) for Q = kWhiteLux size / candela
+///
+/// candela    > 0, on the light's axis
+/// lux        > 0, on the axis at the extent
+/// threshold  (0, 1): attenuation at the extent
+/// max error  kLightEndMaxError                                                             (attenuation_fit_test.cpp)
+LightEnd compute_end(double candela, double lux, double threshold);
+
 enum class AttenuationFitStatus {
   optimal,     ///< no attenuation that meets the extent (and constant) has a smaller objective by more than 1e-7 of it
   unproven,    ///< the best found; the search ended before it could rule out a better one
