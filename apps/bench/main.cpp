@@ -15,6 +15,7 @@
 #include "bench/lamp_figure.h"
 #include "bench/machine.h"
 #include "bench/map_benchmark.h"
+#include "bench/rejection_benchmark.h"
 #include "bench/render_benchmark.h"
 #include "bench/result.h"
 #include "bench/simd_target.h"
@@ -42,6 +43,7 @@ constexpr const char* kDescription = R"(Measures litfog and its rivals: time bes
   litfog-bench update    time to follow a visibility step by step over a million lights
   litfog-bench fit       time and quality of fits of an attenuation to a falloff table
   litfog-bench render    frame time and error of every lighting path, over scenes, lights and sizes
+  litfog-bench rejection frame time and fragments shaded by each way to reject hidden fragments early
   litfog-bench maps      memory and error of Hales's light maps over their size
   litfog-bench city      cluster lists and frames of a city with 100 to 100,000 lights, at four visibilities
 )";
@@ -82,6 +84,11 @@ without skipping; with 4 and skipping also with airlight. Frames of all paths in
 picture at 80x45, by airlight at 32x18, against the path's own plain formulas, shaded in double. The picture has table 1
 of Hales 2004.
 
+rejection: every scene by unified and peak, 1280x720, with 2 and 16 lights, 1 and 4 samples a pixel: surfaces by
+material (none), from the nearest to the farthest (front-to-back), or after a pass of depths alone (depth-pass), frames
+interleaved. layers_passed: how often a sample of the picture passes the depth test, in the pass of depths, too;
+fragments_per_pixel: for which the driver says that it ran a shader. llvmpipe counts those that it rejects, too.
+
 maps: no times; headlights by its two headlights in exp2 fog, 320x180, drawn from 3-D range maps and from pairs of 2-D
 maps of as many texels, of 16 to 256 texels a side. Errors are against the path's plain formulas, shaded in double.
 
@@ -105,7 +112,7 @@ Examples:
 Exit status: 0 done; 1 wrong command line; 3 a Debug build, no OpenGL, or --plot without gnuplot; 4 output cannot be
 written; 5 an error larger than litfog states for itself was found (the results are still written).)";
 
-enum class Benchmark { solve, airlight, lamps, update, fit, render, maps, city };
+enum class Benchmark { solve, airlight, lamps, update, fit, render, rejection, maps, city };
 
 struct Options {
   Benchmark benchmark = Benchmark::solve;
@@ -165,11 +172,13 @@ Result measure(const Options& options) {
       throw MissingCapability("this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON");
 #endif
     case Benchmark::render:
+    case Benchmark::rejection:
     case Benchmark::maps:
     case Benchmark::city:
 #ifdef LITFOG_HAS_GL
       try {
         if (options.benchmark == Benchmark::maps) return measure_maps(options.quick);
+        if (options.benchmark == Benchmark::rejection) return measure_rejection(options.quick);
         return options.benchmark == Benchmark::city ? measure_city(options.quick) : measure_render(options.quick);
       } catch (const litfog::gl::Unsupported& missing) {
         throw MissingCapability(missing.what());
@@ -230,6 +239,7 @@ int main(int argc, char** argv) {
                          {"update", Benchmark::update},
                          {"fit", Benchmark::fit},
                          {"render", Benchmark::render},
+                         {"rejection", Benchmark::rejection},
                          {"maps", Benchmark::maps},
                          {"city", Benchmark::city}},
                         "What to measure")

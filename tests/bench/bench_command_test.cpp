@@ -367,8 +367,9 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
 
 TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
-  EXPECT_ERROR(run("speed"), kUsage,
-               usage_message("benchmark = speed: must be one of solve|airlight|lamps|update|fit|render|maps|city"));
+  EXPECT_ERROR(
+      run("speed"), kUsage,
+      usage_message("benchmark = speed: must be one of solve|airlight|lamps|update|fit|render|rejection|maps|city"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);
@@ -434,6 +435,20 @@ TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
     EXPECT_LT(paths["unified airlight"]["max_error_255"].get<double>(), 1);
   }
   EXPECT_TRUE(std::filesystem::exists(directory() / "render.png"));
+}
+
+TEST_F(BenchMeasurement, RejectionShadesFewerFragmentsAfterAPassOfDepths) {
+  const Outcome outcome = run("rejection --quick --json rejection.json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json document = Json::parse(read("rejection.json"));
+  expect_machine(document, true);
+  std::map<std::string, Json> rows;
+  for (const Json& row : document["rows"]) {
+    EXPECT_GT(row["ms_per_frame"].get<double>(), 0) << row;
+    rows[row["samples"].dump() + " " + row["rejection"].get<std::string>()] = row;
+  }
+  ASSERT_EQ(rows.size(), 6u);
+  EXPECT_EQ(rows["1 none"]["ratio_to_none"], 1);
 }
 
 // Linear look-ups err by the square of the texels' distance; the pair has as many texels as the 3-D map, denser ones.

@@ -404,5 +404,28 @@ TEST_F(HiddenWall, IsLeftOutBesideTheBeamOfACarriedLight) {
   EXPECT_EQ(counts.sky, SkyDrawing::fog);
 }
 
+std::vector<float> draw_rejecting(const Scene& scene, EarlyRejection rejection, int samples) {
+  Renderer renderer(scene, 2 * kWidth, 2 * kHeight, {.papers = {.early_rejection = rejection}, .samples = samples});
+  renderer.set_atmosphere(scene.atmosphere.with(Fog::from_visibility(FogMode::exp, 200)));
+  renderer.draw();
+  return renderer.read().rgb;
+}
+
+TEST_F(SkippingTest, PassOfDepthsChangesNoPixel) {
+  for (const char* name : {"headlights", "room"}) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    for (const int samples : {1, 4}) {
+      EXPECT_EQ(draw_rejecting(scene, EarlyRejection::depth_pass, samples),
+                draw_rejecting(scene, EarlyRejection::none, samples))
+          << name << ", " << samples;
+    }
+  }
+}
+
+TEST_F(SkippingTest, OrderFromFrontToBackChangesNoPixelWithoutCoplanarSurfaces) {
+  const Scene room = read_scene(bundled_scene_path("room"));
+  EXPECT_EQ(draw_rejecting(room, EarlyRejection::front_to_back, 1), draw_rejecting(room, EarlyRejection::none, 1));
+}
+
 }  // namespace
 }  // namespace litfog::test

@@ -150,6 +150,11 @@ void FramePlanner::make_plan(const FrameView& view) {
   } else {
     plan_everything();
   }
+  if (settings_.papers.early_rejection == EarlyRejection::front_to_back) {
+    std::ranges::stable_sort(plan_.surfaces, {}, [&](const PlannedSurface& planned) {
+      return nearest_distance(view.camera.position, planned.surface->bounds);
+    });
+  }
 }
 
 void FramePlanner::plan_airlight(const FrameView& view) {

@@ -259,6 +259,11 @@ const SurfacePass& fog_alone_pass() {
   return kPass;
 }
 
+const SurfacePass& depth_pass() {
+  static const SurfacePass kPass{.vertex = "unlit.vert", .fragment = "depth.frag", .shows_fog = false};
+  return kPass;
+}
+
 std::span<const LightingPath> published_programs() {
   static const std::vector<LightingPath> kPrograms = make_programs();
   return kPrograms;

@@ -131,6 +131,9 @@ const LightingPath& geometry_path(const LightingPath& other);
 /// The fog before a surface alone, for any path.
 const SurfacePass& fog_alone_pass();
 
+/// A surface's depth alone, for any path.
+const SurfacePass& depth_pass();
+
 /// One of lighting_paths() or published_programs(). Null if none has that name.
 const LightingPath* find_lighting_path(std::string_view name);
 

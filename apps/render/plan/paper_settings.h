@@ -13,6 +13,14 @@ enum class ConeMaps {
 /// The edge of a dual cone in the path `cg` (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", 5.5.2).
 enum class SpotEdge { hard, lerp, smoothstep };
 
+/// How hidden fragments of surfaces are rejected before they are shaded (Jason Lacroix 2005, "Let There Be Light!",
+/// "Early rejection is key"), on paths of one pass. `litfog-bench rejection` compares them.
+enum class EarlyRejection {
+  none,           ///< surfaces in the order of their materials, so that OpenGL changes its state least
+  front_to_back,  ///< surfaces in the order of their nearest points; of coplanar ones another may be visible
+  depth_pass,     ///< first the depths of all surfaces without masks, then what passes is shaded, as by `none`
+};
+
 /// What only re-enacts a paper's listing, figure or exercise.
 struct PaperSettings {
   /// Hales's paths: directional light by face normals instead of vertex normals (his flat and smooth shading).
@@ -22,6 +30,7 @@ struct PaperSettings {
   int map_size = 128;                ///< texels a side of the light maps
   ConeMaps cone_maps = ConeMaps::scaled;
   SpotEdge spot_edge = SpotEdge::smoothstep;
+  EarlyRejection early_rejection = EarlyRejection::none;
 
   friend bool operator==(const PaperSettings&, const PaperSettings&) = default;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <vector>
 
 #include "render/gpu/light_uniforms.h"
@@ -137,6 +138,10 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
   if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
   select_samples(0);
   surfaces_.meshes().bind();
+  if (settings_.papers.early_rejection == EarlyRejection::depth_pass && &path == settings_.path &&
+      !path.has_several_passes()) {
+    draw_depths(frame, plan);
+  }
   // Of several passes, all of a surface are drawn before the next surface, because the later of two coplanar ones hides
   // the earlier.
   const std::size_t most_alike = path.has_several_passes() ? 1 : kDrawnAtOnce;
@@ -156,6 +161,19 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
   set_blend(Blend::replace);
   select_samples(0);
   return frame.bytes;
+}
+
+void SurfacePainter::draw_depths(Frame& frame, const FramePlan& plan) {
+  std::vector<PlannedSurface> opaque;
+  std::ranges::copy_if(plan.surfaces, std::back_inserter(opaque), [](const PlannedSurface& planned) {
+    const SurfaceMaterial& material = *planned.surface->material;
+    return !material.material.least_coverage && !material.is_pane();
+  });
+  if (opaque.empty()) return;
+  glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  const SurfaceProgram& program = use(frame, {.pass = &depth_pass()}, *opaque.front().surface->material);
+  draw_triangles(frame, opaque, program, TriangleOrder::stored);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
 }
 
 std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan& plan, const View& view,
@@ -270,9 +288,10 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
   variant.light_count = has_maps() ? count : feed.has_flags ? kMaxUniformLights : compiled_light_count(count);
   resize_uniforms(first + variant.light_count);
   // Loops over lists end early where depths are tested first. Several passes need the stencil for themselves.
-  variant.tests_depth_late = programs_.should_test_depth_late() && feed.kind == LightFeed::Kind::all &&
-                             !frame.path.has_several_passes() && !variant.has_listed_lights &&
-                             !variant.has_listed_fog_lights;
+  variant.tests_depth_late = programs_.should_test_depth_late() &&
+                             settings_.papers.early_rejection == EarlyRejection::none &&
+                             feed.kind == LightFeed::Kind::all && !frame.path.has_several_passes() &&
+                             !variant.has_listed_lights && !variant.has_listed_fog_lights;
   draw_variant(frame, alike, variant, uniforms, batch);
 }
 

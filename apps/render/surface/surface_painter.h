@@ -61,6 +61,8 @@ class SurfacePainter {
   struct Frame;
   struct LightUniforms;
 
+  /// Draws the depths of a plan's surfaces that have neither masks nor panes.
+  void draw_depths(Frame& frame, const FramePlan& plan);
   bool has_maps() const { return !maps_.kinds().empty(); }  // which hold the cones
   /// Draws surfaces that differ in their places only; of several passes all, so that there may be but one surface.
   void draw_surfaces(Frame& frame, std::span<const PlannedSurface> alike, std::span<const std::int32_t> lights);
