@@ -25,14 +25,15 @@ struct ClimbKind {
   LampLeg lamp_leg;
 };
 
+/// As cells of CSV: lamps, fog, k of the lamp's leg, largest |g|.
 inline std::string to_string(const ClimbKind& kind) {
   constexpr std::array kShapes{"points", "cosine cones", "smoothstep cones", "cookies"};
-  return std::string(kShapes[std::size_t(kind.shape)]) + ", " + name_of(kind.mode) +
-         (kind.lamp_leg == LampLeg::fogged ? ", lamp's leg fogged" : "") + (kind.is_directional ? ", |g| <= 0.9" : "");
+  return std::string(kShapes[std::size_t(kind.shape)]) + "," + name_of(kind.mode) +
+         (kind.lamp_leg == LampLeg::fogged ? ",1" : ",0") + (kind.is_directional ? ",0.9" : ",0");
 }
 
 /// A point of the space that is searched: each number in [0, 1].
-using ClimbPoint = std::array<double, 13>;
+using ClimbPoint = std::array<double, 14>;
 
 /// Cases over the ranges for which litfog/airlight.h states its errors: C of 0 to 5, L of 0 or 1e-4 to 3, Q of 0 or
 /// 1e-6 to 3, thresholds of 1e-6 to 0.9, visibilities of 5 cm to 100 km, cones of 0.1 degree or more; lamp, closest
@@ -44,8 +45,10 @@ inline AirlightCase case_at(const ClimbPoint& point, const ClimbKind& kind) {
   const auto one_or = [&](double x, double part, double value, double low, double high) {
     return x < part ? value : between((x - part) / (1 - part), low, high);
   };
-  const auto [g, c, l, q, threshold, visibility, approach, offset, length, axial, turn, angle, sharpness] = point;
+  const auto [g, c, l, q, threshold, visibility, approach, offset, length, axial, turn, angle, sharpness, spread] =
+      point;
   AirlightCase made;
+  made.spread = spread;
   made.lamp_leg = kind.lamp_leg;
   made.atmosphere.phase.asymmetry = kind.is_directional ? 1.8 * g - 0.9 : 0;
   Light& light = made.light.light;
@@ -81,7 +84,7 @@ inline AirlightCase case_at(const ClimbPoint& point, const ClimbKind& kind) {
 /// The largest error that a climb has found, and where.
 struct ClimbResult {
   double error = 0;
-  AirlightCase at;
+  AirlightCase at = {};
 };
 
 /// Climbs from the worst of a few random points: each step moves some of the numbers by a random distance, and stays

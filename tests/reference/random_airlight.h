@@ -23,6 +23,7 @@ struct AirlightCase {
   Atmosphere atmosphere;
   EyeRay ray;
   LampLeg lamp_leg = LampLeg::fogged;
+  double spread = 0;  ///< [0, 1]: of a cone of rays around this one, where a climb takes one
 };
 
 inline std::string to_string(const AirlightCase& c) {
