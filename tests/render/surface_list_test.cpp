@@ -5,11 +5,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
+#include <span>
 #include <string>
 
 #include "gl/gl_test.h"
+#include "litfog/attenuation.h"
 #include "render/light/light_finder.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/model_catalogue.h"
@@ -66,12 +69,36 @@ TEST_F(SurfaceListTest, LampsEndFarAwayWhereListsWouldGrowTooLongWithoutEnds) {
   EXPECT_EQ(std::ssize(list.lights_of(surface)), reaching);
 }
 
+/// Upper bound of the light that any surface lacks in clear air because lamps end at their reach, of white: each lamp's
+/// at the point of the surface's bounds that is nearest to it.
+double most_left_out(const SurfaceList& list, const SceneLights& lights) {
+  double most = 0;
+  for (const Surface& surface : list.surfaces()) {
+    const std::span<const std::int32_t> listed = list.lights_of(surface);
+    double left_out = 0;
+    for (std::size_t i = 0; i < lights.local_count(); ++i) {
+      if (std::ranges::find(listed, std::int32_t(i)) != listed.end()) continue;
+      const PlacedLight& lamp = lights.lights()[i];
+      const double range = nearest_distance(lamp.position, surface.bounds);
+      if (range < list.range_of(lights.extents()[i])) continue;  // its cone misses the surface
+      left_out += largest_component(lamp.light.color) * attenuation_at(lamp.light.attenuation, range);
+    }
+    most = std::max(most, left_out);
+  }
+  return most;
+}
+
 TEST_F(SurfaceListTest, LampsOfCityAndApproachAloneEndFarAway) {
   for (const std::string& name : scene::bundled_scenes()) {
     const Scene scene = scene::read_scene(scene::bundled_scene_path(name));
     const SceneLights lights(scene, {.fog_lighting = FogLighting::airlight});
-    const double reach = SurfaceList(scene, lights, Skipping::on).reach();
+    const SurfaceList list(scene, lights, Skipping::on);
+    const double reach = list.reach();
     EXPECT_EQ(reach, name == "approach" ? 16 : name == "city" ? 8 : std::numeric_limits<double>::infinity()) << name;
+    if (std::isinf(reach)) continue;
+    const double most = most_left_out(list, lights);
+    std::printf("%s: no surface lacks more than %.2f/255 of white\n", name.c_str(), 255 * most);
+    EXPECT_LE(255 * most, name == "approach" ? 0.5 : 3.3) << name;
   }
 }
 
