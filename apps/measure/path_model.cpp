@@ -65,6 +65,7 @@ SurfacePoint PathModel::surface_point(const render::GeometrySample& sample) cons
                                           : glm::normalize(glm::dvec3(sample.normal)),
           .to_eye = settings_.papers.has_infinite_viewer ? -forward_ : glm::normalize(eye_ - position),
           .emissive = sample.emission,
+          .ambient = material.ambient && is_basic ? *material.ambient : sample.albedo,
           .diffuse = sample.albedo,
           .specular = is_basic ? glm::dvec3(material.specular) * double(sample.gloss) : glm::dvec3(0.0),
           .shininess = material.shininess,
@@ -84,7 +85,7 @@ glm::dvec3 PathModel::surface_color(const SurfacePoint& point) const {
 }
 
 glm::dvec3 PathModel::without_lamps(const SurfacePoint& point) const {
-  const glm::dvec3 color = point.emissive + point.diffuse * glm::dvec3(environment_.ambient_light);
+  const glm::dvec3 color = point.emissive + point.ambient * glm::dvec3(environment_.ambient_light);
   const glm::dvec3 moonlit = moonlight(point);
   return moonlit == glm::dvec3(0.0) || is_in_moon_shadow(point) ? color : color + moonlit;
 }

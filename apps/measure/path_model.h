@@ -21,7 +21,8 @@ struct SurfacePoint {
   glm::dvec3 normal;  ///< unit
   glm::dvec3 to_eye;  ///< unit
   glm::dvec3 emissive;
-  glm::dvec3 diffuse;   ///< also the ambient reflectance
+  glm::dvec3 ambient;  ///< reflectance of ambient light
+  glm::dvec3 diffuse;
   glm::dvec3 specular;  ///< 0 where the path has no highlights
   double shininess;
   double vertex_moon_cosine;  ///< normal . moon direction at the vertices, interpolated

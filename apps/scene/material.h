@@ -30,6 +30,8 @@ struct Material {
   float metal_roughness = 0;
   /// Linear, gloss 1: replaces an albedo of one colour, because 8 bits are some percent off for dark colours.
   std::optional<glm::vec3> plain_albedo = std::nullopt;
+  /// Ka of the Basic model: linear reflectance of ambient light; none: the albedo.
+  std::optional<glm::vec3> ambient = std::nullopt;
   /// sRGB colour that multiplies emissive; null: 1.
   std::shared_ptr<const Texels> emission = nullptr;
   /// sRGB colour that multiplies the reflectance, in tiles of its own (Hales 2004, "face texture 2 (if any)"); null: 1.

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <optional>
 
 #include "gl/gl_test.h"
 #include "render/pixel.h"
@@ -53,6 +54,7 @@ struct Setting {
   std::vector<Lamp> lamps;
   dvec3 texture{0.5, 0.4, 0.3};
   dvec3 ks{0.3, 0.25, 0.2};
+  std::optional<dvec3> ka = std::nullopt;  ///< none: the texture
   double shininess = 20;
   double metal_roughness = 0;
   int cells = 1;
@@ -75,7 +77,8 @@ Scene wall(const Setting& setting) {
                              .shininess = float(setting.shininess),
                              .emissive = {},
                              .metal_roughness = float(setting.metal_roughness),
-                             .plain_albedo = setting.texture});
+                             .plain_albedo = setting.texture,
+                             .ambient = setting.ka});
   const glm::dmat4 turned = glm::rotate(glm::dmat4(1), setting.turn, kTurnAxis);
   const double scale = setting.turn == 0 ? 1 : 2;  // so that it still fills the picture
   scene.instances[0].world_from_model *= glm::scale(turned, dvec3(scale));
@@ -233,8 +236,10 @@ Sums basic_sums(const Setting& setting, const dvec3& p, Attenuate attenuate, con
   return sums;
 }
 
+dvec3 ambient(const Setting& setting) { return setting.ka.value_or(setting.texture) * kAmbientLight; }
+
 dvec3 basic(const Setting& setting, const Sums& sums) {
-  return setting.texture * (kAmbientLight + sums.diffuse) + setting.ks * sums.specular;
+  return ambient(setting) + setting.texture * sums.diffuse + setting.ks * sums.specular;
 }
 
 dvec3 unified(const Setting& setting, const dvec3& p) {
@@ -271,7 +276,7 @@ Corners corners_around(const Mesh& mesh, const dvec3& p) {
 dvec3 mixed(const Setting& setting, const Corners& corners) {
   const auto sums = [&](const dvec3& v) { return basic_sums(setting, v, range_attenuation, angle_attenuation); };
   dvec3 color =
-      setting.texture * (kAmbientLight + corners.interpolated([&](const dvec3& v) { return sums(v).diffuse; }));
+      ambient(setting) + setting.texture * corners.interpolated([&](const dvec3& v) { return sums(v).diffuse; });
   const auto add = [&](const auto& to_light, const auto& light) {
     const dvec3 h =
         corners.interpolated([&](const dvec3& v) { return glm::normalize(to_light(v) + glm::normalize(-v)); });
@@ -353,7 +358,7 @@ dvec3 brushed(const Setting& setting, const dvec3& l, const dvec3& v) {
 
 dvec3 metal(const Setting& setting, const dvec3& p, Reflect reflect) {
   const dvec3 v = glm::normalize(-p);
-  dvec3 color = setting.texture * kAmbientLight + kMoonColor * reflect(setting, kMoonDirection, v);
+  dvec3 color = ambient(setting) + kMoonColor * reflect(setting, kMoonDirection, v);
   for (const Lamp& lamp : setting.lamps) {
     color += lamp.color * range_attenuation(lamp, glm::distance(p, lamp.position)) * angle_attenuation(lamp, p) *
              reflect(setting, glm::normalize(lamp.position - p), v);
@@ -499,11 +504,16 @@ TEST_F(PaperFormula, OneDiscIsFraziersWhiteCircleAtEveryAngle) {
   }
 }
 
+/// Of materials: the texture's, as a rule, and one of its own.
+const std::array<std::optional<dvec3>, 2> kAmbientReflectances{std::nullopt, dvec3(0.9, 0.1, 0.6)};
+
 TEST_F(PaperFormula, FragmentPathsAreTheBasicModel) {
-  const Setting setting{.lamps = lamps(true)};
-  const Formula formula = [&](const dvec3& point, const Corners&) { return unified(setting, point); };
-  for (const char* path : {"unified", "tangent", "interpolated", "nested"}) {
-    EXPECT_LE(error(setting, along(path), formula), kHalfFloat) << path;
+  for (const std::optional<dvec3>& ka : kAmbientReflectances) {
+    const Setting setting{.lamps = lamps(true), .ka = ka};
+    const Formula formula = [&](const dvec3& point, const Corners&) { return unified(setting, point); };
+    for (const char* path : {"unified", "tangent", "interpolated", "nested"}) {
+      EXPECT_LE(error(setting, along(path), formula), kHalfFloat) << path;
+    }
   }
 }
 
@@ -557,25 +567,27 @@ TEST_F(PaperFormula, ParallaxShiftsTheTextureByHeightAlongTheView) {
 }
 
 TEST_F(PaperFormula, VertexPathsAreTheirFormulasAtTheVertices) {
-  const Setting setting{.lamps = lamps(true), .cells = 6};
-  const auto sums = [&](const dvec3& v) { return basic_sums(setting, v, range_attenuation, angle_attenuation); };
-  const Formula vertex = [&](const dvec3&, const Corners& corners) {
-    return basic(setting, {corners.interpolated([&](const dvec3& v) { return sums(v).diffuse; }),
-                           corners.interpolated([&](const dvec3& v) { return sums(v).specular; })});
-  };
-  EXPECT_LE(error(setting, along("vertex"), vertex), kVertices);
-  EXPECT_LE(
-      error(setting, along("mixed"), [&](const dvec3&, const Corners& corners) { return mixed(setting, corners); }),
-      kVertices);
-  const Formula legacy = [&](const dvec3&, const Corners& corners) {
-    return setting.texture * (kAmbientLight + corners.interpolated([&](const dvec3& v) { return sums(v).diffuse; }));
-  };
-  EXPECT_LE(error(setting, along("legacy"), legacy, FogOf::legacy), kVertices);
+  for (const std::optional<dvec3>& ka : kAmbientReflectances) {
+    const Setting setting{.lamps = lamps(true), .ka = ka, .cells = 6};
+    const auto sums = [&](const dvec3& v) { return basic_sums(setting, v, range_attenuation, angle_attenuation); };
+    const Formula vertex = [&](const dvec3&, const Corners& corners) {
+      return basic(setting, {corners.interpolated([&](const dvec3& v) { return sums(v).diffuse; }),
+                             corners.interpolated([&](const dvec3& v) { return sums(v).specular; })});
+    };
+    EXPECT_LE(error(setting, along("vertex"), vertex), kVertices);
+    EXPECT_LE(
+        error(setting, along("mixed"), [&](const dvec3&, const Corners& corners) { return mixed(setting, corners); }),
+        kVertices);
+    const Formula legacy = [&](const dvec3&, const Corners& corners) {
+      return setting.texture * (kAmbientLight + corners.interpolated([&](const dvec3& v) { return sums(v).diffuse; }));
+    };
+    EXPECT_LE(error(setting, along("legacy"), legacy, FogOf::legacy), kVertices);
+  }
 }
 
 // Lamps so near that the printed attenuation exceeds 1, and so dim that their extent ends on the wall.
 TEST_F(PaperFormula, CgNeitherClampsNorCutsTheAttenuation) {
-  Setting setting{.lamps = lamps(true)};
+  Setting setting{.lamps = lamps(true), .ka = kAmbientReflectances[1]};
   setting.lamps[0].c = 0.05, setting.lamps[0].q = 0.02;
   setting.lamps[1].q = 2;
   const auto edge = [](auto shape) {

@@ -47,7 +47,7 @@ endfunction()
 set(use_all "
 vec4 litfog_test() {
   LitfogSurface surface = LitfogSurface(vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.0), vec3(0.5),
-                                        vec3(0.5), 8.0);
+                                        vec3(0.5), vec3(0.5), 8.0);
   vec3 lit = litfog_ambient(surface, vec3(0.25)) +
              litfog_light_surface(surface, litfog_block_light(LITFOG_MAX_LIGHTS - 1)) +
              litfog_light_surface(surface, litfog_buffered_light(1000)) + litfog_buffered_position_extent(0).xyz;

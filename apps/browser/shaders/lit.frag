@@ -24,7 +24,7 @@ void main() {
   vec3 position = fragment_position();
   vec4 albedo = base_texture();
   LitfogSurface surface = LitfogSurface(position, mapped_world_normal(), normalize(eye - position), emissive,
-                                        albedo.rgb, specular * albedo.a, shininess);
+                                        albedo.rgb, albedo.rgb, specular * albedo.a, shininess);
   vec3 lit = litfog_ambient(surface, ambient_light);
   for (int i = 0; i < int(litfog_fog.z); ++i) {
     LitfogLight light = light_at(i);

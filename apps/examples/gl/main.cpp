@@ -55,7 +55,8 @@ flat in vec4 normal;
 out vec4 color;
 void main() {
   vec4 ray = litfog_ray(eye, position);
-  LitfogSurface surface = LitfogSurface(position, normal.xyz, -ray.xyz, vec3(0.0), vec3(normal.w), vec3(0.0), 1.0);
+  LitfogSurface surface = LitfogSurface(position, normal.xyz, -ray.xyz, vec3(0.0), vec3(normal.w), vec3(normal.w),
+                                        vec3(0.0), 1.0);
   vec3 lit = litfog_ambient(surface, vec3(0.02));
   vec3 airlight = vec3(0.0);
   for (int i = 0; i < int(litfog_fog.z); ++i) {

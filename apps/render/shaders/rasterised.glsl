@@ -63,6 +63,14 @@ vec3 second_texture() { return vec3(1.0); }
 
 vec4 base_texture() { return first_texture() * vec4(second_texture(), 1.0); }
 
+// Ka of the Basic model, where the base texture is its Kd.
+#ifdef MATERIAL_AMBIENT
+uniform vec3 ambient_color;
+vec3 ambient_reflectance(vec3 base) { return ambient_color; }
+#else
+vec3 ambient_reflectance(vec3 base) { return base; }
+#endif
+
 // The fraction of the background that the fragment hides.
 #ifdef MATERIAL_PANE
 float fragment_opacity() { return clamp(base_texel().a * coverage, 0.0, 1.0); }

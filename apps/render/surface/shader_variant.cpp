@@ -52,6 +52,7 @@ std::string material_constants(const MaterialFeatures& material) {
   if (material.is_unlit) text += "#define MATERIAL_UNLIT\n";
   if (material.has_emission_map) text += "#define MATERIAL_EMISSION_MAP\n";
   if (material.has_second_texture) text += "#define MATERIAL_SECOND_TEXTURE\n";
+  if (material.has_ambient) text += "#define MATERIAL_AMBIENT\n";
   if (material.has_details) text += "#define VERTEX_DETAILS\n";
   return text;
 }

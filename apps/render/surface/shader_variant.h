@@ -26,6 +26,7 @@ struct MaterialFeatures {
   bool is_unlit = false;
   bool has_emission_map = false;
   bool has_second_texture = false;
+  bool has_ambient = false;  ///< a Ka of its own, on paths of the Basic model
   bool has_details = false;  ///< its vertices: scene::VertexDetail
 
   auto operator<=>(const MaterialFeatures&) const = default;

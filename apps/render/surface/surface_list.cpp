@@ -95,6 +95,7 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, std:
     const Largest most = largest_of(material);
     const double diffuse = material.is_unlit ? 0 : most.albedo;
     const double reflectance = diffuse + most.gloss * largest_component(material.specular);
+    const double ambient = std::max(diffuse, material.ambient ? largest_component(*material.ambient) : 0.0);
     const double emitted = most_emitted(material, most);
     const bool has_flat_normals = is_flat(*material.normal);
     auto albedo = material.plain_albedo ? std::make_shared<const Texture>(glm::vec4(*material.plain_albedo, 1.0f))
@@ -108,7 +109,7 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, std:
     material.normal.reset();
     material.emission.reset();
     material.second.reset();
-    uploaded.push_back({std::move(material), float(uploaded.size()), reflectance, diffuse, emitted, has_flat_normals,
+    uploaded.push_back({std::move(material), float(uploaded.size()), reflectance, ambient, emitted, has_flat_normals,
                         std::move(albedo), std::move(normal), std::move(emission), std::move(second)});
   }
   return uploaded;

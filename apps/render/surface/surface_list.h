@@ -23,7 +23,7 @@ struct SurfaceMaterial {
   scene::Material material;               ///< without its texels
   float number;                           ///< position in the order of materials
   double reflectance;                     ///< largest component of the diffuse plus specular reflectance
-  double diffuse;                         ///< largest component of the diffuse reflectance
+  double ambient;                         ///< largest component of the reflectance of ambient light
   double emitted;                         ///< largest component of its own light, linear
   bool is_flat;                           ///< all texels of its normal map are flat
   std::shared_ptr<const Texture> albedo;  ///< shared by materials with the same texels
@@ -34,7 +34,7 @@ struct SurfaceMaterial {
   bool is_pane() const { return material.opacity.has_value(); }
   /// Upper bound of its light without lamps: largest component, linear.
   double own_light(const scene::Environment& environment) const {
-    return emitted + diffuse * largest_component(environment.ambient_light) +
+    return emitted + ambient * largest_component(environment.ambient_light) +
            reflectance * largest_component(environment.moon_color);
   }
 };

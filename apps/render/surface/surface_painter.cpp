@@ -59,6 +59,7 @@ MaterialFeatures features_of(const Surface& surface, const LightingPath& path) {
           .is_unlit = material.material.is_unlit,
           .has_emission_map = material.emission != nullptr,
           .has_second_texture = material.second != nullptr,
+          .has_ambient = material.material.ambient && path.surface == SurfaceModel::basic,
           .has_details = surface.chunk->has_details};
 }
 
@@ -72,6 +73,7 @@ void set_material_uniforms(const ShaderVariant& variant, const SurfaceMaterial& 
   const std::optional<float> coverage = variant.material.is_pane ? material.opacity : material.least_coverage;
   set_uniform(program, "coverage", coverage.value_or(0));
   set_uniform(program, "relief", material.relief_m / material.size_m);
+  if (material.ambient) set_uniform(program, "ambient_color", *material.ambient);
   set_uniform(program, "specular", material.specular);
   set_uniform(program, "shininess", material.shininess);
   set_uniform(program, "uniform_emissive", material.emissive);

@@ -13,13 +13,14 @@ struct LitfogSurface {
   vec3 normal;  // unit
   vec3 to_eye;  // unit
   vec3 emissive;
-  vec3 diffuse;  // also the ambient reflectance
+  vec3 ambient;  // reflectance of ambient light: diffuse, as a rule
+  vec3 diffuse;
   vec3 specular;
   float shininess;
 };
 
 vec3 litfog_ambient(LitfogSurface surface, vec3 ambient_light) {
-  return surface.emissive + surface.diffuse * ambient_light;
+  return surface.emissive + surface.ambient * ambient_light;
 }
 
 // Diffuse and specular factor of a light from a unit direction (C5E5_computeLighting).

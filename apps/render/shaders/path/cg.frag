@@ -7,8 +7,8 @@
 // Where this leaves them: the examples light in object space, exercise 3 in eye space, this in world space. No pixel
 // would differ, because rotations and translations keep dot products and distances. (An object scaled by s is the
 // exception: in its own space distances are in units of s metres, so the application has to scale kL and kQ, too.) Eye
-// space saves the eye's position, which there is the origin. Ka is Kd, the texture; a material with a Ka of its own can
-// state Ka * globalAmbient, a constant, as its Ke.
+// space saves the eye's position, which there is the origin. Ka is Kd, the
+// texture, but for a material with a Ka of its own.
 
 #include "depth_test.glsl"
 #include "cookie.glsl"
@@ -71,5 +71,5 @@ void main() {
 #define ADD_LIGHT(i) spot_atten_lighting(listed_light(i), p, n, diffuse_sum, specular_sum);
   EACH_LISTED_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
-  color = seen_by_eye(emissive + kd.rgb * ambient_light + kd.rgb * diffuse_sum + ks * specular_sum, p);
+  color = seen_by_eye(emissive + ambient_reflectance(kd.rgb) * ambient_light + kd.rgb * diffuse_sum + ks * specular_sum, p);
 }

@@ -21,7 +21,7 @@ void main() {
   vec3 lit = albedo.rgb * vertex_light(diffuse_light);
   vec3 highlights = vec3(0.0);
   if (is_first_pass) {
-    lit += emissive + albedo.rgb * ambient_light;
+    lit += emissive + ambient_reflectance(albedo.rgb) * ambient_light;
     highlights = highlight(moon_half_angle, moon_specular_light);
   }
   for (int i = 0; i < lights_in_pass; ++i) highlights += highlight(half_angle[i], specular_light[i]);

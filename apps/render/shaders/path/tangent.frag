@@ -24,6 +24,7 @@ void main() {
   surface.normal = normalize(mapped_normal());
   surface.to_eye = normalize(to_viewer);
   surface.emissive = emissive;
+  surface.ambient = ambient_reflectance(albedo.rgb);
   surface.diffuse = albedo.rgb;
   surface.specular = specular * albedo.a;
   surface.shininess = shininess;

@@ -25,6 +25,7 @@ void main() {
   surface.normal = mapped_world_normal();
   surface.to_eye = normalize(vector_to_viewer(position));
   surface.emissive = emissive;
+  surface.ambient = ambient_reflectance(albedo.rgb);
   surface.diffuse = albedo.rgb;
   surface.specular = specular * albedo.a;
   surface.shininess = shininess;

@@ -9,9 +9,17 @@
 in vec3 diffuse_light;
 in vec3 specular_light;
 
+// Ambient and diffuse light of a base colour.
+vec3 reflected(vec3 base) {
+#ifdef MATERIAL_AMBIENT
+  return ambient_reflectance(base) * ambient_light + base * vertex_light(diffuse_light);
+#else
+  return base * (ambient_light + vertex_light(diffuse_light));
+#endif
+}
+
 void main() {
   vec4 albedo = base_texture();
-  vec3 lit = emissive + albedo.rgb * (ambient_light + vertex_light(diffuse_light)) +
-             specular * albedo.a * vertex_light(specular_light);
+  vec3 lit = emissive + reflected(albedo.rgb) + specular * albedo.a * vertex_light(specular_light);
   color = seen_by_eye(lit, fragment_position());
 }
