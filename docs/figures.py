@@ -157,6 +157,38 @@ def paths():
 
 
 @figure
+def rejection():
+    rows = read("llvmpipe-rejection")
+    lines = []
+    for scene in sorted({row["scene"] for row in rows}):
+        for rejection in ("front-to-back", "depth-pass"):
+            by = [one(rows, scene=scene, lights=lights, samples=samples, rejection=rejection)
+                  for samples in (1, 4) for lights in (2, 16)]
+            before = one(rows, scene=scene, lights=2, samples=1, rejection="none")
+            layers = [f"{row['layers_passed']:.2f}" for row in (before, by[0])]
+            lines.append([scene, rejection, *layers, *(f"{row['ratio_to_none']:.2f}" for row in by)])
+    return table(["scene", "rejection", "layers that pass, by material", "so", "time, 1 sample, 2 lights", "16 lights",
+                  "4 samples, 2 lights", "16 lights"], lines, ("llvmpipe-rejection", rows[0]))
+
+
+@figure
+def airlight_climb():
+    rows = read("airlight-climb")
+    lines = []
+    for function, lamps in dict.fromkeys((row["function"], row["lamps"]) for row in rows):
+        by = only(rows, function=function, lamps=lamps)
+        fogs = " and ".join(dict.fromkeys(row["fog"] for row in by))
+        legs = " or ".join(f"{k:g}" for k in sorted({row["lamp_leg"] for row in by}))
+        g = max(row["g"] for row in by)
+        unit = "/255" if function == "airlight" else ""
+        kind = f"{lamps}, {fogs}, k = {legs}, " + (f"\\|g\\| <= {g:g}" if g > 0 else "isotropic")
+        lines.append([f"`{function}`", kind, f"{sum(row['rays'] for row in by):,.0f}", f"{by[0]['bound']:g}{unit}",
+                      f"{max(row['worst'] for row in by):.3g}"])
+    text = table(["function", "range", "rays", "bound", "worst found"], lines)
+    return text.removesuffix("()") + "(`data/benchmarks/airlight-climb.csv`)"
+
+
+@figure
 def city():
     names = ("llvmpipe-city", "h100-city")
     machines = [read(name) for name in names]
