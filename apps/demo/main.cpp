@@ -33,6 +33,7 @@
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
 #include "papers/paper_sheets.h"
+#include "render/surface/polygon_sort.h"
 #include "scene/file/scene_file.h"
 
 namespace {
@@ -93,6 +94,7 @@ struct PictureOptions {
   std::string stats;
   int frames = 1;
   bool reference = false;
+  bool sorts_polygons = false;
 };
 
 /// Throws the usage error of options that do not belong together.
@@ -103,6 +105,10 @@ void check_picture_options(const CLI::App& app, const PictureOptions& options) {
   auto rules = drawing::drawing_rules(drawing);
   rules.push_back(
       {"--flat-shading", is_given("--flat-shading"), {"--reference", "--heat-map"}, "references are shaded smoothly"});
+  rules.push_back({"--fog-light airlight",
+                   drawing.settings().fog_lighting == render::FogLighting::airlight,
+                   {"--sort-polygons"},
+                   "its lamps light surfaces beyond their extents"});
   rules.push_back({fmt::format("--path {}", drawing.render.path->name),
                    !drawing.render.path->has_reference,
                    {"--reference", "--heat-map"},
@@ -128,6 +134,7 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
   scene::Scene scene = drawing::read_scene(options.scene);
   drawing::check_scene_options(app, scene);
   scene::turn_lights(scene, drawing.seconds);
+  if (options.sorts_polygons) scene = render::sort_polygons(scene, drawing.settings());
   OutputFiles outputs;
   const std::string output = is_given("--output") ? options.output : scene.name + ".png";
   outputs.add("--output", output);
@@ -172,6 +179,8 @@ Job add_picture_job(CLI::App& app) {
                "Write the picture that the CPU shades in double by the path's plain formulas");
   app.add_option("--heat-map", options->heat_map, "Write the path's error against that picture as colours, .png")
       ->type_name("FILE");
+  app.add_flag("--sort-polygons", options->sorts_polygons,
+               "By peak: draw the triangles that no lamp reaches by programs without lamps, as Hales advises");
   app.add_option("--stats", options->stats, "Write times and counts as JSON")->type_name("FILE");
   return [&app, options] {
     check_picture_options(app, *options);

@@ -25,9 +25,13 @@ drawing::SheetEntry FigurePainter::draw(const Scene& scene, const RenderSettings
 }
 
 drawing::SheetEntry FigurePainter::draw(render::Renderer& renderer, std::vector<std::string> caption) const {
-  constexpr render::Display kPapersDisplay{.tone = render::ToneCurve::clip};
   renderer.draw(render::LightPoints::off);
-  return {drawing::fitted_to_cell(render::displayed(renderer.read(), kPapersDisplay)), std::move(caption)};
+  return entry(renderer.read(), std::move(caption));
+}
+
+drawing::SheetEntry FigurePainter::entry(const render::Picture& picture, std::vector<std::string> caption) {
+  constexpr render::Display kPapersDisplay{.tone = render::ToneCurve::clip};
+  return {drawing::fitted_to_cell(render::displayed(picture, kPapersDisplay)), std::move(caption)};
 }
 
 std::unique_ptr<render::Renderer> FigurePainter::renderer(const Scene& scene, const RenderSettings& render) const {
@@ -74,8 +78,10 @@ Scene figure(scene::Mesh mesh, const Finish& finish) {
                              .normal = std::make_shared<const scene::Texels>(scene::Texels{1, 1, {128, 128, 255, 0}}),
                              .specular = finish.specular,
                              .shininess = finish.shininess,
-                             .emissive = finish.ambient_light,
-                             .plain_albedo = finish.diffuse});
+                             .emissive = finish.emissive,
+                             .plain_albedo = finish.diffuse,
+                             .ambient = finish.ambient});
+  scene.environment.ambient_light = glm::vec3(1.0f);
   scene::compute_tangents(mesh);
   scene.models.push_back({{"figure", std::move(mesh)}});
   scene.instances.push_back({0, glm::mat4(1)});

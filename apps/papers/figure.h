@@ -32,7 +32,11 @@ class FigurePainter {
                            std::vector<std::string> caption) const;
   drawing::SheetEntry draw(render::Renderer& renderer, std::vector<std::string> caption) const;
   std::unique_ptr<render::Renderer> renderer(const scene::Scene& scene, const render::RenderSettings& render) const;
+  /// A figure of a picture as a renderer reads it.
+  static drawing::SheetEntry entry(const render::Picture& picture, std::vector<std::string> caption);
   int frames() const { return frames_; }
+  int width() const { return width_; }
+  int height() const { return height_; }
 
  private:
   int width_, height_, frames_;
@@ -48,10 +52,11 @@ PlacedLight lamp(const glm::dvec3& position, const Attenuation& attenuation, con
 
 /// What the figures' objects are made of.
 struct Finish {
-  glm::vec3 ambient_light{0.0f};  ///< Ka * globalAmbient
+  glm::vec3 ambient{0.0f};  ///< Ka; globalAmbient is 1
   glm::vec3 diffuse{0.0f};
   glm::vec3 specular{0.0f};
   float shininess = 1;
+  glm::vec3 emissive{0.0f};
 };
 
 /// A mesh in white light from the upper left, in front of the camera.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "papers/figure.h"
+#include "papers/fixed_pipeline.h"
 #include "render/surface/polygon_sort.h"
 #include "scene/file/scene_file.h"
 #include "scene/paint/field.h"
@@ -66,22 +67,51 @@ Rows hales_table(const FigurePainter& painter) {
   std::vector<std::unique_ptr<render::Renderer>> renderers;
   for (const Program& program : programs) renderers.push_back(painter.renderer(*program.scene, program.render));
   const Fog thick = Fog::from_visibility(FogMode::exp2, 100.0);
-  const std::vector<double> times = relative_times(renderers, painter.frames());
   Rows rows;
   for (const auto& [figure, fog] : {std::pair{"figure 1, clear air", Fog{}}, {"figure 2, exp2 fog, 100 m", thick}}) {
+    for (const auto& renderer : renderers) renderer->set_atmosphere(scene.atmosphere.with(fog));
+    const std::vector<double> times = relative_times(renderers, painter.frames());
     rows.emplace_back();
     for (std::size_t i = 0; i < programs.size(); ++i) {
       if (rows.back().size() == 4) rows.emplace_back();
-      std::vector<std::string> caption{fmt::format("{}: {}", figure, programs[i].name)};
+      std::vector<std::string> caption{fmt::format("{}: {}", figure, programs[i].name),
+                                       fmt::format("{:.2f} x legacy's frame", times[i])};
       const bool is_table = rows.size() <= 2;  // "the scene in figure 1 was used to measure the performance"
-      if (is_table) caption.push_back(fmt::format("{:.2f} x legacy's frame", times[i]));
       if (is_table && i == 0) caption.push_back("table 1, legacy: X800 1.0, 9800 1.130, FX 5950 1.847");
       if (is_table && i == 1) caption.push_back("table 1, shader: 1.95, 2.450, 4.830: 1.95, 2.17, 2.62 x legacy");
-      renderers[i]->set_atmosphere(renderers[i]->scene().atmosphere.with(fog));
       rows.back().push_back(painter.draw(*renderers[i], std::move(caption)));
     }
   }
+  rows.emplace_back();
+  for (const auto& [name, fog] : {std::pair{"clear air", Fog{}}, {"exp2 fog, 100 m", thick}}) {
+    const auto fixed = draw_by_fixed_pipeline(scene, fog, painter.width(), painter.height(), painter.frames());
+    if (!fixed) break;
+    rows.back().push_back(FigurePainter::entry(
+        fixed->picture, {fmt::format("OpenGL's fixed pipeline, {}", name),
+                         fmt::format("legacy, which mimics it: {:.2f} x its frame", fixed->mimic_ratio),
+                         "\"a fragment program that just mimics ... runs much slower\""}));
+  }
   return rows;
+}
+
+/// A flare and a search light, which the paper names beside headlights, by its look-ups.
+std::vector<drawing::SheetEntry> flare_and_search_light(const FigurePainter& painter) {
+  Scene scene = scene::read_scene(scene::bundled_scene_path("headlights"));
+  std::vector<drawing::SheetEntry> entries;
+  PlacedLight flare = lamp({8, 35, -70}, {1, 0, 4e-4});
+  PlacedLight search = lamp(scene.camera.position, {1, 0, 1e-5}, Cone::cosine(3 * kDegree, 200));
+  search.direction = glm::normalize(glm::dvec3(-0.12, 0.02, -1));
+  search.carried = true;
+  for (const auto& [name, light] : {std::pair{"a parachute flare", flare}, {"a search light", search}}) {
+    scene.lights = {light};
+    for (const auto& [air, fog] :
+         {std::pair{"clear air", Fog{}}, {"exp2 fog, 300 m", Fog::from_visibility(FogMode::exp2, 300.0)}}) {
+      const auto renderer = painter.renderer(scene, along("lookup-3d"));
+      renderer->set_atmosphere(scene.atmosphere.with(fog));
+      entries.push_back(painter.draw(*renderer, {fmt::format("{}, {}", name, air)}));
+    }
+  }
+  return entries;
 }
 
 /// A cosine cone on a wall that is near enough for its edge to be in the picture.
@@ -111,6 +141,7 @@ Rows hales_cones(const FigurePainter& painter) {
 
 Rows hales_figures(const FigurePainter& painter) {
   Rows rows = hales_table(painter);
+  rows.push_back(flare_and_search_light(painter));
   for (std::vector<drawing::SheetEntry>& row : hales_cones(painter)) rows.push_back(std::move(row));
   return rows;
 }

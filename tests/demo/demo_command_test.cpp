@@ -629,6 +629,9 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
                "--light-ambient cannot be given with --path cg: only lookup-3d and lookup-2d have it");
   expect_usage("room --path sample --reference",
                "--reference cannot be given with --path sample: it is one of the papers' programs that have none");
+  expect_usage(
+      "room --sort-polygons",
+      "--sort-polygons cannot be given with --fog-light airlight: its lamps light surfaces beyond their extents");
   expect_usage("papers -o ''", "--output = \"\": must not be empty");
   expect_usage("room --path radial --flat-shading",
                "--flat-shading cannot be given with --path radial: only lookup-3d and lookup-2d have it");

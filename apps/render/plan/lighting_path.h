@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "litfog/gl/shader_library.h"
+
 namespace litfog::render {
 
 /// How a surface reflects the light that reaches it. Colours are linear; the reflectance is the base texture.
@@ -101,6 +103,7 @@ struct LightingPath {
   bool pairs_lights = false;  ///< a batch is lit by its first light's range, so that no light can be left out
   LightMapSet maps = LightMapSet::none;
   std::vector<SurfacePass> passes;
+  std::span<const gl::ShaderSource> shaders = {};  ///< files of its passes that are not the renderer's
 
   /// Whether a surface may be drawn more than once, which needs a stencil.
   bool has_several_passes() const { return passes.size() > 1 || passes[0].lights.kind == LightFeed::Kind::batches; }

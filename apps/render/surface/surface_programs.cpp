@@ -67,7 +67,8 @@ SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings
       should_test_depth_late_(render::should_test_depth_late(settings.samples)),
       samples_(settings.samples == 1 ? "#define ONE_SAMPLE\n" : ""),
       environment_light_(environment_light_constants(scene.environment)),
-      settings_(settings_constants(settings)) {}
+      settings_(settings_constants(settings)),
+      path_shaders_(settings.path->shaders) {}
 
 void SurfacePrograms::make_environment_light_uniform() {
   if (is_environment_light_uniform_) return;
@@ -81,6 +82,7 @@ SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
   if (found != programs_.end()) return found->second;
   const std::string pass = pass_constants(variant);
   std::vector<gl::ShaderSource> files = scene_shaders(has_cookies_, has_shadows_);
+  files.insert(files.end(), path_shaders_.begin(), path_shaders_.end());
   const std::string environment = environment_light_ + settings_;
   files.push_back({"generated/environment.glsl", environment});
   files.push_back({"generated/pass.glsl", pass});

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
 
 #include "litfog/gl/program.h"
@@ -45,6 +46,7 @@ class SurfacePrograms {
   bool is_environment_light_uniform_ = false;
   std::string environment_light_;  // the beginning of environment.glsl
   std::string settings_;           // the rest
+  std::span<const gl::ShaderSource> path_shaders_;
   std::map<ShaderVariant, SurfaceProgram> programs_;
 };
 

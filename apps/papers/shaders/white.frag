@@ -1,0 +1,6 @@
+// SPDX-License-Identifier: Apache-2.0
+// What is lit.
+
+out vec4 color;
+
+void main() { color = vec4(1.0); }
