@@ -84,7 +84,7 @@ without skipping; with 4 and skipping also with airlight. Frames of all paths in
 picture at 80x45, by airlight at 32x18, against the path's own plain formulas, shaded in double. The picture has table 1
 of Hales 2004.
 
-rejection: every scene by unified and peak, 1280x720, with 2 and 16 lights, 1 and 4 samples a pixel: surfaces by
+rejection: every scene by unified and peak, 640x360, with 2 and 16 lights, 1 and 4 samples a pixel: surfaces by
 material (none), from the nearest to the farthest (front-to-back), or after a pass of depths alone (depth-pass), frames
 interleaved. layers_passed: how often a sample of the picture passes the depth test, in the pass of depths, too;
 fragments_per_pixel: for which the driver says that it ran a shader. llvmpipe counts those that it rejects, too.

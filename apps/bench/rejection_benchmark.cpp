@@ -47,10 +47,10 @@ command::Table::Cell count_fragments(render::Renderer& renderer) {
 Result measure_rejection(bool quick) {
   const std::vector<std::string> scenes = quick ? std::vector<std::string>{"room"} : scene::bundled_scenes();
   const std::vector<std::size_t> light_counts = quick ? std::vector<std::size_t>{2} : std::vector<std::size_t>{2, 16};
-  const int width = quick ? 80 : 1280;
-  const int height = quick ? 45 : 720;
+  const int width = quick ? 80 : 640;
+  const int height = quick ? 45 : 360;
   const measure::FrameBudget budget =
-      quick ? measure::FrameBudget::exactly(3) : measure::FrameBudget{.seconds = 5, .fewest = 3, .most = 25};
+      quick ? measure::FrameBudget::exactly(3) : measure::FrameBudget{.seconds = 3, .fewest = 3, .most = 15};
   const gl::HeadlessContext context;
   Result result;
   result.gl_renderer = context.renderer();
