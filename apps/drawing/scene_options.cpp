@@ -50,6 +50,8 @@ void add_changes(CLI::App& app, SceneOptions& options) {
          "lights[0].attenuation.quadratic=0.002 (see litfog-demo list lights SCENE); may be given again")
       ->type_name("MEMBER=VALUE")
       ->allow_extra_args(false);
+  app.add_flag("--lamps-only", options.is_lit_by_lamps_alone,
+               "Leave out what lights the scene besides its lamps: ambient light, sky, stars, moon, the fog's own colour");
 }
 
 void add_city_lights(CLI::App& app, SceneOptions& options) {
@@ -74,6 +76,10 @@ void add_view(CLI::App& app, SceneOptions& options) {
 scene::Scene read_scene(const SceneOptions& options, scene::SceneParts* kept) {
   const auto city_lights = options.city_lights > 0 ? std::optional(std::size_t(options.city_lights)) : std::nullopt;
   scene::Scene scene = scene::read_scene(scene_path(options.scene), city_lights, options.changes, kept);
+  if (options.is_lit_by_lamps_alone) {
+    scene.environment = {};
+    scene.atmosphere.ambient_fog_color = {};
+  }
   scene::Camera& camera = scene.camera;
   if (options.camera) camera.position = *options.camera;
   if (options.target) camera.target = *options.target;

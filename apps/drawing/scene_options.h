@@ -27,12 +27,13 @@ struct SceneOptions {
   std::optional<glm::dvec3> camera = {};         ///< metres; default: the scene's own, like the two that follow
   std::optional<glm::dvec3> target = {};         ///< metres
   std::optional<double> field_of_view_deg = {};  ///< vertical
+  bool is_lit_by_lamps_alone = false;            ///< without ambient light, sky, stars, moon and fog colour
   int city_lights = 0;                           ///< number of lights in a generated city; 0: the scene's
 };
 
 /// SCENE of a single scene.
 void add_scene(CLI::App& app, SceneOptions& options);
-/// --set, as often as it is wanted.
+/// --set, as often as it is wanted, and --lamps-only.
 void add_changes(CLI::App& app, SceneOptions& options);
 /// --lights.
 void add_city_lights(CLI::App& app, SceneOptions& options);

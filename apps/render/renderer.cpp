@@ -132,10 +132,10 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
   if (exposure.is_auto) {
     // Surfaces are drawn as for the largest exposure. For airlight that would take too long: it is drawn as for 0 EV
     // and, if the exposure found is higher, once more as for that exposure.
-    draw_for({.surfaces = kMaxExposure, .airlight = 0});
+    draw_for({.surfaces = kMaxExposure, .airlight = 0}, LightPoints::off);
     exposure_ = auto_exposure(read());
     if (exposure_ > 0) {
-      draw_for({.surfaces = kMaxExposure, .airlight = exposure_});
+      draw_for({.surfaces = kMaxExposure, .airlight = exposure_}, LightPoints::off);
       exposure_ = auto_exposure(read());
     }
   }

@@ -82,6 +82,7 @@ std::string to_string(const DrawingCommand& command) {
     add(true, "--fov-deg", fmt::format("{:.7g}", glm::degrees(command.camera->field_of_view)));
   }
   for (const scene::SceneChange& change : command.changes) add(true, "--set", change.member + "=" + change.value);
+  add(command.is_lit_by_lamps_alone, "--lamps-only");
   add(true, "--size", fmt::format("{}x{}", options.width, options.height));
   return text;
 }

@@ -17,6 +17,7 @@ struct DrawingCommand {
   drawing::DrawingOptions options = {};
   std::optional<scene::Camera> camera = {};  ///< replaces the scene's
   std::vector<scene::SceneChange> changes = {};
+  bool is_lit_by_lamps_alone = false;
 };
 
 /// Its command line for a shell, without options that are at their defaults.

@@ -208,7 +208,7 @@ TEST_F(RendererTest, OnlyAnAutomaticExposureIsChosen) {
   Renderer renderer(scene, kWidth, kHeight, {});
   const Exposure chosen = renderer.set_exposure({.ev = 7, .is_auto = true});
   EXPECT_TRUE(chosen.is_auto);
-  renderer.draw();
+  renderer.draw(LightPoints::off);
   EXPECT_EQ(chosen.ev, auto_exposure(renderer.read()));
   EXPECT_NE(chosen.ev, 7);
   const Exposure given = renderer.set_exposure({.ev = 1.5});
