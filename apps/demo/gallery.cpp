@@ -170,7 +170,7 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
                   const drawing::DrawingOptions& options) {
   const command::WallTimer timer;
   std::vector<scene::Scene> read = scene::read_scenes(scenes);
-  for (scene::Scene& scene : read) scene::turn_lights(scene, options.seconds);
+  for (scene::Scene& scene : read) scene::move_to_time(scene, options.seconds);
   command::report(fmt::format("all loaded in {:.2f} s\n", timer.seconds()));
   const std::vector<Row> rows = make_rows(read, options);
   Output output{.pictures = make_folder(folder, rows)};

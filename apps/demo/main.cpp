@@ -133,7 +133,7 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
   const auto is_given = [&app](const char* option) { return app.count(option) > 0; };
   scene::Scene scene = drawing::read_scene(options.scene);
   drawing::check_scene_options(app, scene);
-  scene::turn_lights(scene, drawing.seconds);
+  scene::move_to_time(scene, drawing.seconds);
   if (options.sorts_polygons) scene = render::sort_polygons(scene, drawing.settings());
   OutputFiles outputs;
   const std::string output = is_given("--output") ? options.output : scene.name + ".png";
@@ -270,9 +270,9 @@ ExitStatus compare_by_paths(const CLI::App& app, const ComparisonOptions& option
   drawing::expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
   // All scenes are read first, so that an error in one is found before minutes are spent on another.
   std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options.scenes));
-  const bool turns = std::ranges::any_of(scenes, drawing::has_turning_light);
-  check_options(app, {{"these scenes", !turns, {"--time"}, "none of their lights turns"}});
-  for (scene::Scene& scene : scenes) scene::turn_lights(scene, drawing.seconds);
+  const bool changes = std::ranges::any_of(scenes, drawing::changes_with_time);
+  check_options(app, {{"these scenes", !changes, {"--time"}, "none of their lights turns or flashes"}});
+  for (scene::Scene& scene : scenes) scene::move_to_time(scene, drawing.seconds);
   const gl::HeadlessContext context;
   report(fmt::format("drawing {} scene{} on {}\n", scenes.size(), scenes.size() == 1 ? "" : "s", context.renderer()));
   compare_paths(scenes, options.folder, context.renderer(), drawing, options.frames);
@@ -347,9 +347,9 @@ Job add_sequence_job(CLI::App& app) {
     check_options(app, {{"--camera-path", app.count("--camera-path") > 0, {"--camera", "--target", "--fov-deg"}}});
     Sequence sequence(options->sequence);
     check_options(app, {{sequence.scene().name,
-                         !drawing::has_turning_light(sequence.scene()),
+                         !drawing::changes_with_time(sequence.scene()),
                          {"--time"},
-                         "none of its lights turns"}});
+                         "none of its lights turns or flashes"}});
     const gl::HeadlessContext context;
     report(
         fmt::format("drawing {} frames of {} on {}\n", sequence.frames(), sequence.scene().name, context.renderer()));

@@ -178,7 +178,7 @@ void add_shadows(CLI::App& app, DrawingOptions& options) {
 
 void add_time(CLI::App& app, DrawingOptions& options) {
   command::add_number(app, "--time", options.seconds, kSeconds,
-                      "Seconds for which the scene's cookies and lights have been turning (default 0)");
+                      "Seconds for which the scene's cookies and lights have been turning and flashing (default 0)");
 }
 
 std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& options) {

@@ -29,7 +29,7 @@ struct DrawingOptions {
   std::optional<double> visibility = {};      ///< metres; default: what each scene suggests
   double contrast = kContrastMor;             ///< that is left at the visibility, (0, 1)
   std::optional<Phase> phase = {};            ///< of the fog; default: the scenes' own
-  double seconds = 0;                         ///< for which the scenes' lights have been turning
+  double seconds = 0;                         ///< for which the scenes' lights have been turning and flashing
   int width = 1280;                           ///< pixels
   int height = 720;
   render::RenderSettings render = {};

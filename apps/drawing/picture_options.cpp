@@ -20,8 +20,9 @@ void add_picture_options(CLI::App& app, SceneOptions& scene, DrawingOptions& dra
 }
 
 void check_scene_options(const CLI::App& app, const scene::Scene& scene) {
-  command::check_options(app, {{scene.name, !has_turning_light(scene), {"--time"}, "none of its lights turns"},
-                               {scene.name, !scene.has_city, {"--lights"}, "it has no generated city"}});
+  command::check_options(app,
+                         {{scene.name, !changes_with_time(scene), {"--time"}, "none of its lights turns or flashes"},
+                          {scene.name, !scene.has_city, {"--lights"}, "it has no generated city"}});
 }
 
 }  // namespace litfog::drawing

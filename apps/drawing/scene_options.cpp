@@ -124,8 +124,9 @@ std::string scene_path(const std::string& scene) {
                                                 files::hint_for_word(scene, {names.begin(), names.end()})));
 }
 
-bool has_turning_light(const scene::Scene& scene) {
+bool changes_with_time(const scene::Scene& scene) {
   return !scene.turn_rates.empty() ||
+         std::ranges::any_of(scene.lights, [](const PlacedLight& each) { return each.light.flash.count > 0; }) ||
          std::ranges::any_of(scene.cookie_uses, [](const auto& use) { return use.second.spin != 0; });
 }
 

@@ -56,6 +56,6 @@ glm::dvec3 parse_point(const std::string& option, const std::string& text);
 std::string scene_path(const std::string& scene);
 
 /// Whether --time has an effect on a scene.
-bool has_turning_light(const scene::Scene& scene);
+bool changes_with_time(const scene::Scene& scene);
 
 }  // namespace litfog::drawing

@@ -112,6 +112,7 @@ LightFit fit_light(LightTarget target, bool is_robust) {
   fit.light.name = target.name;
   fit.light.color = target.size * target.color;
   fit.light.density_scale = target.density_scale;
+  fit.light.flash = target.flash;
   fit.light.attenuation = {1, 0, 0};
   if (target.range) {
     target.range->is_robust = is_robust;

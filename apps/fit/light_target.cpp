@@ -372,6 +372,7 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
                      .density_scale = spec.density_scale,
                      .source_radius = spec.source_radius,
                      .source_radius_location = spec.error_at("source_radius_m", "", "").location(),
+                     .flash = spec.flash,
                      .cookie_size = choices.cookie_size};
   if (spec.color_temperature) {
     target.derived.push_back(fmt::format("Color: {} K is {:.4g} {:.4g} {:.4g}, linear sRGB of luminance 1.",

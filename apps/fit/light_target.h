@@ -59,6 +59,7 @@ struct LightTarget {
   double density_scale = 1;
   std::optional<double> source_radius = std::nullopt;  ///< metres, as stated
   InputLocation source_radius_location = {};           ///< where it is stated
+  Flash flash = {};
   std::optional<AttenuationTarget> range = std::nullopt;
   std::optional<double> peak = std::nullopt;  ///< candela, the beam's largest, stated or derived
   /// Candela, the light's own where its cone or its cookie is 1: its size and extent follow from this. The cone of a

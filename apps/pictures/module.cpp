@@ -111,7 +111,7 @@ void expect_no_fork() {
 Drawn draw(const CLI::App& app, const drawing::SceneOptions& scene_options, const drawing::DrawingOptions& options) {
   scene::Scene scene = drawing::read_scene(scene_options);
   drawing::check_scene_options(app, scene);
-  scene::turn_lights(scene, options.seconds);
+  scene::move_to_time(scene, options.seconds);
   expect_no_fork();
   const gl::HeadlessContext context;
   render::Renderer renderer(scene, options.width, options.height, options.settings_of(*options.render.path));

@@ -107,17 +107,19 @@ struct Scene {
 /// Largest time: a cookie or light of ten turns a second is then still in place to a thousandth of a degree.
 inline constexpr double kMaxSeconds = 1e9;
 
-/// Turns the spinning cookies and the turning lights by what they turn in `seconds`.
+/// Makes of a scene as read the scene at a time: turns the spinning cookies and the turning lights by what they turn in
+/// `seconds`, and multiplies the colours of flashing lights by their factors, which are 0 between flashes.
 ///
 /// seconds  [0, kMaxSeconds]
 /// throws   std::invalid_argument naming the rule
-inline void turn_lights(Scene& scene, double seconds) {
+inline void move_to_time(Scene& scene, double seconds) {
   if (!(seconds >= 0 && seconds <= kMaxSeconds)) throw std::invalid_argument("seconds: must be in [0, 1e9]");
   for (auto& [light, use] : scene.cookie_uses) use.roll += use.spin * seconds;
   for (const auto& [light, rate] : scene.turn_rates) {
     glm::dvec3& direction = scene.lights[light].direction;
     direction = glm::dmat3(glm::rotate(glm::dmat4(1), rate * seconds, glm::dvec3(0, 1, 0))) * direction;
   }
+  for (PlacedLight& placed : scene.lights) placed.light.color *= flash_at(placed.light.flash, seconds);
 }
 
 /// The visibility at which a scene is drawn if none is given, metres: the middle one of its own, or 200.

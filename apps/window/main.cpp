@@ -289,7 +289,7 @@ ExitStatus show(const CLI::App& app, Options& options) {
   check_options(app, drawing::drawing_rules(options.drawing));
   scene::Scene scene = drawing::read_scene(options.scene);
   drawing::check_scene_options(app, scene);
-  scene::turn_lights(scene, options.drawing.seconds);
+  scene::move_to_time(scene, options.drawing.seconds);
   scene::Scene facts = scene;
   facts.models.clear();
   facts.instances.clear();

@@ -7,6 +7,7 @@
 
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
+#include "litfog/flash.h"
 #include "litfog/value_error.h"
 
 namespace litfog {
@@ -22,6 +23,7 @@ struct Light {
   /// Radius R of the lamp's luminous disc in metres, finite, >= 0; 0: none is known. Only photometric() reads it. Above
   /// 0 it needs quadratic > 0 and at most constant / R^2, and a colour that stays finite over quadratic R^2.
   double source_radius = 0;
+  Flash flash = {};  ///< when the lamp is lit; only what takes a time reads it, all else the light as if steady
 };
 
 /// Largest coordinate of a light's position in metres, 2^24: beyond it the floats of the shaders are 2 m apart.

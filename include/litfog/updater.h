@@ -52,15 +52,17 @@ inline constexpr double kDefaultSkipBudget255 = 0.5;
 /// visibility at a cost for each kind of light, not for each light.
 ///
 /// The caller adds, changes, switches and removes lights, then calls set_fog once a frame and uploads the ranges that
-/// it returns, by litfog::gl or otherwise. Lights that agree in all but name, colour, position and direction share a
-/// kind, which the updater finds by itself and drops with the last of its lights.
+/// it returns, by litfog::gl or otherwise. Lights that agree in all but name, colour, flash, position and direction
+/// share a kind, which the updater finds by itself and drops with the last of its lights.
 /// - A change of the fog touches kinds alone. A kind is solved once, however many lights it has.
-/// - An instance is touched only where its light is added, changed, switched or removed. It keeps its index among the
-///   instances until it is removed, whatever its kind; then the index goes to the next light added. Instances and kinds
-///   that are not used are all zero; such an instance is a black light.
+/// - A change of the time touches the instances whose lamps begin or end a flash: their colour. Nothing is solved.
+/// - An instance is touched only where its light is added, changed, switched, removed or flashes. It keeps its index
+///   among the instances until it is removed, whatever its kind; then the index goes to the next light added. Instances
+///   and kinds that are not used are all zero; such an instance is a black light.
 /// - Kinds that are not carried have no intensity (see pack_fog_light_kind) and are never solved.
 /// - A kind is not solved, and stores intensity 0, where IntensityBound times the largest colour component among its
-///   lights that are on is below the budget: a pixel loses less than the budget for each such light.
+///   lights that are on, in the brightest of their flashes, is below the budget: a pixel loses less than the budget for
+///   each such light.
 ///
 /// threads  different updaters: any at once. One updater: its const calls at once, every other call alone
 class FogUpdater {
@@ -88,6 +90,13 @@ class FogUpdater {
   ///
   /// throws  std::invalid_argument if the handle is of no light held
   void switch_light(FogLightHandle handle, bool is_on);
+
+  /// Moves the time, which is 0 before the first call: lights that flash take the colour that they have then. Allocates
+  /// nothing. Takes time for each light that flashes.
+  ///
+  /// seconds  [0, kMaxFlashSeconds]
+  /// throws   std::invalid_argument naming field, value and rule
+  void set_time(double seconds);
 
   /// throws  std::invalid_argument if the handle is of no light held
   void remove(FogLightHandle handle);

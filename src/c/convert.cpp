@@ -38,7 +38,8 @@ Light light(const litfog_light* light) {
           .threshold = light->threshold,
           .cone = to_cpp(light->cone),
           .density_scale = light->density_scale,
-          .source_radius = light->source_radius};
+          .source_radius = light->source_radius,
+          .flash = to_cpp(light->flash)};
 }
 
 PlacedLight placed_light(const litfog_placed_light* placed) {

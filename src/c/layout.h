@@ -52,6 +52,16 @@ LITFOG_MEMBER(litfog_cone, Cone, exponent);
 LITFOG_MEMBER(litfog_cone, Cone, inner);
 LITFOG_MEMBER(litfog_cone, Cone, outer);
 
+LITFOG_COUNTERPART(litfog_single_flash, SingleFlash);
+LITFOG_MEMBER(litfog_single_flash, SingleFlash, start);
+LITFOG_MEMBER(litfog_single_flash, SingleFlash, duration);
+LITFOG_MEMBER(litfog_single_flash, SingleFlash, intensity);
+
+LITFOG_COUNTERPART(litfog_flash, Flash);
+LITFOG_MEMBER(litfog_flash, Flash, period);
+LITFOG_MEMBER(litfog_flash, Flash, count);
+LITFOG_MEMBER(litfog_flash, Flash, flashes);
+
 LITFOG_COUNTERPART(litfog_fog_intensity, FogIntensity);
 LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, intensity);
 LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, peak_range);
@@ -152,7 +162,8 @@ static_assert(is_same(LITFOG_LAMP_LEG_CLEAR, LampLeg::clear) && is_same(LITFOG_L
 static_assert(LITFOG_CONTRAST_MOR == kContrastMor && LITFOG_CONTRAST_KOSCHMIEDER == kContrastKoschmieder &&
               LITFOG_CONTRAST_FLIGHTGEAR == kContrastFlightgear && LITFOG_DEFAULT_THRESHOLD == kDefaultThreshold &&
               LITFOG_MAX_POSITION == kMaxPosition && LITFOG_DIRECTION_TOLERANCE == kDirectionTolerance &&
-              LITFOG_MAX_FOG_LIGHTS == kMaxFogLights && LITFOG_DEFAULT_SKIP_BUDGET_255 == kDefaultSkipBudget255);
+              LITFOG_MAX_FLASHES == kMaxFlashes && LITFOG_MAX_FOG_LIGHTS == kMaxFogLights &&
+              LITFOG_DEFAULT_SKIP_BUDGET_255 == kDefaultSkipBudget255);
 
 /// A C struct as its C++ counterpart. Its enumerators are not checked here (c/convert.h).
 template <typename C>

@@ -25,6 +25,7 @@ litfog_light c::light_of(const Light& light) {
   result.cone = to_c<litfog_cone>(light.cone);
   result.density_scale = light.density_scale;
   result.source_radius = light.source_radius;
+  result.flash = to_c<litfog_flash>(light.flash);
   return result;
 }
 
@@ -55,6 +56,15 @@ litfog_status litfog_photometric(const litfog_light* light, litfog_light* result
 
 litfog_status litfog_candela(const litfog_light* light, double* result) {
   return c::call([&] { write(candela(c::light(light)), &c::at(result, "candela")); });
+}
+
+litfog_status litfog_flash_at(const litfog_flash* flash, double seconds, double* factor) {
+  return c::call([&] {
+    const Flash checked = c::to_cpp(c::at(flash, "flash"));
+    require(find_error(checked));
+    require_time(seconds);
+    c::at(factor, "factor") = flash_at(checked, seconds);
+  });
 }
 
 litfog_status litfog_check_fog(const litfog_fog* fog) {

@@ -44,6 +44,10 @@ litfog_status litfog_updater_switch_light(litfog_updater* updater, litfog_light_
   return c::call([&] { updater_of(updater).switch_light(c::to_cpp(handle), is_on != 0); });
 }
 
+litfog_status litfog_updater_set_time(litfog_updater* updater, double seconds) {
+  return c::call([&] { updater_of(updater).set_time(seconds); });
+}
+
 litfog_status litfog_updater_remove(litfog_updater* updater, litfog_light_handle handle) {
   return c::call([&] { updater_of(updater).remove(c::to_cpp(handle)); });
 }

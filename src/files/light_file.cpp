@@ -31,6 +31,16 @@ Cone parse_cone(const JsonValue& value) {
   return cone;
 }
 
+std::string flash_json(const Flash& flash) {
+  std::string flashes;
+  for (std::size_t i = 0; i < flash.count; ++i) {
+    const auto& [start, duration, intensity] = flash.flashes[i];
+    flashes += fmt::format("{}{{\"start_s\": {}, \"duration_s\": {}, \"intensity\": {}}}", i > 0 ? ", " : "", start,
+                           duration, intensity);
+  }
+  return fmt::format("{{\"period_s\": {}, \"flashes\": [{}]}}", flash.period, flashes);
+}
+
 void check_source(const JsonValue& source) {
   if (!source.is_array()) {
     source.string();
@@ -64,6 +74,7 @@ void fail_light(const JsonValue& light, const ValueError& error) {
   std::string path = error.field;
   std::string_view rule = error.rule;
   if (path == "source_radius") path = "source_radius_m";
+  if (path.starts_with("flash.") && !path.ends_with("intensity")) path += "_s";
   for (const ConeProfileFacts& facts : kConeProfiles) {
     for (const ConeParameter& parameter : facts.parameters) {
       if (error.field != std::string_view(parameter.field)) continue;
@@ -74,11 +85,12 @@ void fail_light(const JsonValue& light, const ValueError& error) {
   JsonValue value = light;
   for (std::size_t begin = 0; begin < path.size();) {
     const std::size_t end = std::min(path.find('.', begin), path.size());
-    const std::string_view name = std::string_view(path).substr(begin, end - begin);
+    const std::string_view step = std::string_view(path).substr(begin, end - begin);
+    const std::string_view name = step.substr(0, step.find('['));
     if (value.is_array()) {
       value = value.items()[std::string_view("rgb").find(name)];
     } else if (const auto member = value.optional(name)) {
-      value = *member;
+      value = name == step ? *member : member->items()[std::size_t(step[name.size() + 1] - '0')];
     } else {  // wrong because it is absent, which is 0
       value.fail(value.path_of(name), "0", rule);
     }
@@ -87,9 +99,23 @@ void fail_light(const JsonValue& light, const ValueError& error) {
   value.fail(rule);
 }
 
+Flash parse_flash(const JsonValue& value) {
+  value.allow_only({"period_s", "flashes"});
+  Flash flash{.period = value.member("period_s").number()};
+  const JsonValue flashes = value.member("flashes");
+  const std::vector<JsonValue> items = flashes.items();
+  if (items.empty() || items.size() > kMaxFlashes) flashes.fail("must hold 1 to 8 flashes");
+  for (const JsonValue& item : items) {
+    item.allow_only({"start_s", "duration_s", "intensity"});
+    flash.flashes[flash.count++] = {item.member("start_s").number(), item.member("duration_s").number(),
+                                    item.number_or("intensity", 1)};
+  }
+  return flash;
+}
+
 Light parse_light(const JsonValue& value) {
   value.allow_only({"litfog", "version", "name", "source", "color", "attenuation", "threshold", "cone", "density_scale",
-                    "source_radius_m", "fit"});
+                    "source_radius_m", "flash", "fit"});
   if (value.optional("litfog") || value.optional("version")) expect_header(value, "light", 1);
   if (const auto source = value.optional("source")) check_source(*source);
 
@@ -104,6 +130,7 @@ Light parse_light(const JsonValue& value) {
   if (const auto cone = value.optional("cone")) light.cone = parse_cone(*cone);
   light.density_scale = value.number_or("density_scale", light.density_scale);
   light.source_radius = value.number_or("source_radius_m", light.source_radius);
+  if (const auto flash = value.optional("flash")) light.flash = parse_flash(*flash);
 
   if (const auto error = find_error(light)) fail_light(value, *error);
   return light;
@@ -135,6 +162,7 @@ std::string format_light(const Light& light, const std::vector<std::string>& sou
   if (!light.cone.is_point_light()) members.push_back("\"cone\": " + files::cone_json(light.cone));
   if (light.density_scale != 1) members.push_back(fmt::format("\"density_scale\": {}", light.density_scale));
   if (light.source_radius != 0) members.push_back(fmt::format("\"source_radius_m\": {}", light.source_radius));
+  if (light.flash.count > 0) members.push_back("\"flash\": " + files::flash_json(light.flash));
   if (!fit.empty()) members.push_back(fmt::format("\"fit\": {}", fit));
   return files::json_object(members) + "\n";
 }

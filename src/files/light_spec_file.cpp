@@ -148,7 +148,7 @@ ConeSpec parse_cone_spec(const JsonValue& value) {
 LightSpec parse_spec(const JsonValue& root) {
   expect_header(root, "light-spec", 1);
   root.allow_only({"litfog", "version", "name", "source", "color", "color_temperature_k", "density_scale",
-                   "source_radius_m", "range", "cone"});
+                   "source_radius_m", "flash", "range", "cone"});
   LightSpec spec{.file = root.file(), .name = std::filesystem::path(root.file()).stem().string()};
   if (const auto name = root.optional("name")) spec.name = name->string();
   if (const auto source = root.optional("source")) {
@@ -172,9 +172,11 @@ LightSpec parse_spec(const JsonValue& root) {
     spec.source_radius = radius->number();
     if (!is_finite_and_not_negative(*spec.source_radius)) radius->fail("must be finite and >= 0");
   }
+  if (const auto flash = root.optional("flash")) spec.flash = parse_flash(*flash);
   Light light;
   light.color = spec.color;
   light.density_scale = spec.density_scale;
+  light.flash = spec.flash;
   if (const auto error = find_error(light)) fail_light(root, *error);
 
   const auto range = root.optional("range");

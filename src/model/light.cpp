@@ -15,6 +15,8 @@ double denominator_of_source(const Light& light) {
   return light.attenuation.quadratic * light.source_radius * light.source_radius;
 }
 
+double largest_component(const Light& light) { return std::max({light.color.r, light.color.g, light.color.b}); }
+
 /// Needs find_error of all else to be nothing.
 std::optional<ValueError> find_source_radius_error(const Light& light) {
   const auto wrong = [&](const char* rule) { return ValueError{"source_radius", light.source_radius, rule}; };
@@ -26,7 +28,7 @@ std::optional<ValueError> find_source_radius_error(const Light& light) {
   const bool is_in_range = std::isnormal(light.threshold * source) && std::isnormal(source) &&
                            std::isfinite(1 / (light.source_radius * light.source_radius)) &&
                            std::isfinite(light.attenuation.linear / source) &&
-                           std::isfinite(std::max({light.color.r, light.color.g, light.color.b}) / source);
+                           std::isfinite(largest_component(light) * largest_flash(light.flash) / source);
   if (!is_in_range) return wrong("must leave color / (attenuation.quadratic source_radius^2) finite");
   return std::nullopt;
 }
@@ -41,6 +43,9 @@ std::optional<ValueError> find_error(const Light& light) {
   if (const auto error = find_error(light.attenuation)) return error;
   if (const auto error = find_threshold_error(light.threshold)) return error;
   if (const auto error = find_error(light.cone)) return error;
+  if (const auto error = find_error(light.flash)) return error;
+  const double brightest = largest_component(light) * largest_flash(light.flash);
+  if (!std::isfinite(brightest)) return ValueError{"color", brightest, "must be finite in each flash"};
   return find_source_radius_error(light);
 }
 

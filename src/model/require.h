@@ -30,6 +30,11 @@ inline void require(const std::optional<ValueError>& error) {
 /// Finite and >= 0; false for NaN.
 inline bool is_finite_and_not_negative(double x) { return x >= 0 && x <= std::numeric_limits<double>::max(); }
 
+/// Throws for a time at which no flash can be asked for.
+inline void require_time(double seconds) {
+  if (!(seconds >= 0 && seconds <= kMaxFlashSeconds)) require(ValueError{"seconds", seconds, "must be in [0, 1e9]"});
+}
+
 /// What is wrong with a colour with components of these names, or nothing.
 inline std::optional<ValueError> check_color(const glm::dvec3& color, const std::array<const char*, 3>& names) {
   for (int i = 0; i < 3; ++i) {

@@ -10,6 +10,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 #include <vector>
@@ -19,6 +20,7 @@
 #include "litfog/batch.h"
 #include "litfog/color_temperature.h"
 #include "litfog/cone.h"
+#include "litfog/flash.h"
 #include "litfog/fog.h"
 #include "litfog/light.h"
 #include "litfog/solve.h"
@@ -487,15 +489,53 @@ void bind_lights(py::module_& m) {
   }
   make_record(cone, {"profile", "half_angle", "exponent", "inner", "outer"});
 
+  using FlashTuple = std::tuple<double, double, double>;
+  const auto set_flashes = [](Flash& flash, const std::vector<FlashTuple>& tuples) {
+    if (tuples.size() > kMaxFlashes) fail_count("flashes", tuples.size(), "must be at most 8");
+    flash.count = 0;
+    for (const auto& [start, duration, intensity] : tuples) flash.flashes[flash.count++] = {start, duration, intensity};
+  };
+  py::class_<Flash> flash(
+      m, "Flash",
+      "How a lamp flashes: it is dark except in its flashes, which recur in each period. A lamp without is steady.");
+  flash
+      .def(py::init([set_flashes](double period, const std::vector<FlashTuple>& flashes) {
+             Flash made{.period = period};
+             set_flashes(made, flashes);
+             return made;
+           }),
+           py::arg("period") = 0., py::arg("flashes") = std::vector<FlashTuple>())
+      .def_readwrite("period", &Flash::period, "seconds, (0, 3600]")
+      .def_property(
+          "flashes",
+          [](const Flash& each) {
+            std::vector<FlashTuple> tuples;
+            for (const auto& [start, duration, intensity] : std::span(each.flashes).first(each.count)) {
+              tuples.emplace_back(start, duration, intensity);
+            }
+            return tuples;
+          },
+          set_flashes,
+          "At most 8, one after the other: start and duration in seconds, and the factor of the light's colour.");
+  make_record(flash, {"period", "flashes"});
+  m.def("flash_at",
+        over_numbers<Flash>("seconds",
+                            [](const Flash& each, double seconds) {
+                              require_time(seconds);
+                              return flash_at(require_checked(each), seconds);
+                            }),
+        py::arg("flash"), py::arg("seconds"),
+        "The factor of the light's colour at times in [0, 1e9]; numbers or arrays.");
+
   py::class_<Light> light(m, "Light", "A kind of light: what a light file holds.");
   light
       .def(py::init([](std::string name, const glm::dvec3& color, const Attenuation& falloff, double threshold,
-                       const Cone& shape, double density_scale, double source_radius) {
-             return Light{std::move(name), color, falloff, threshold, shape, density_scale, source_radius};
+                       const Cone& shape, double density_scale, double source_radius, const Flash& flashing) {
+             return Light{std::move(name), color, falloff, threshold, shape, density_scale, source_radius, flashing};
            }),
            py::arg("name") = "", py::arg("color") = glm::dvec3(1), py::arg("attenuation") = Attenuation(),
            py::arg("threshold") = kDefaultThreshold, py::arg("cone") = Cone(), py::arg("density_scale") = 1.,
-           py::arg("source_radius") = 0.)
+           py::arg("source_radius") = 0., py::arg("flash") = Flash())
       .def_readwrite("name", &Light::name, "UTF-8")
       .def_readwrite("color", &Light::color, "linear RGB, finite, >= 0; 1 is the display's white")
       .def_readwrite("attenuation", &Light::attenuation, "Attenuation")
@@ -504,8 +544,9 @@ void bind_lights(py::module_& m) {
       .def_readwrite("density_scale", &Light::density_scale,
                      "finite, >= 0: its class sees this fraction of the fog's density")
       .def_readwrite("source_radius", &Light::source_radius,
-                     "metres: radius of the lamp's luminous disc for photometric(); 0: none is known");
-  make_record(light, {"name", "color", "attenuation", "threshold", "cone", "density_scale", "source_radius"});
+                     "metres: radius of the lamp's luminous disc for photometric(); 0: none is known")
+      .def_readwrite("flash", &Light::flash, "Flash: when the lamp is lit; only what takes a time reads it");
+  make_record(light, {"name", "color", "attenuation", "threshold", "cone", "density_scale", "source_radius", "flash"});
   m.def("photometric", &photometric, py::arg("light"),
         "The light as it is near the lamp, a disc of its source radius, without the clamp of its range attenuation.");
   m.def("candela", &candela, py::arg("light"),
@@ -688,8 +729,8 @@ void bind_updater(py::module_& m) {
   py::class_<Updater, std::shared_ptr<Updater>>(
       m, "FogUpdater",
       "The lights of a scene as the shaders' tables, kept up to date through every change of the visibility. Lights\n"
-      "that agree in all but name, colour, position and direction share a kind; a change of the fog touches kinds\n"
-      "alone. The tables have every change of lights after the next set_fog.")
+      "that agree in all but name, colour, flash, position and direction share a kind; a change of the fog touches\n"
+      "kinds alone. The tables have every change of lights after the next set_fog.")
       .def(py::init<double>(), py::arg("skip_budget_255") = kDefaultSkipBudget255)
       .def(
           "add",
@@ -708,6 +749,8 @@ void bind_updater(py::module_& m) {
           "Replaces a light. If it is switched off, it stays so. BufferError while views of the tables exist.")
       .def("switch_light", &Updater::switch_light, py::arg("handle"), py::arg("is_on"),
            "The instance of a light that is off is black.")
+      .def("set_time", &Updater::set_time, py::arg("seconds"),
+           "Moves the time, 0 before: lights that flash take the colour that they have then. Solves nothing.")
       .def("remove", &Updater::remove, py::arg("handle"), "Removes a light; its handle is then of no light.")
       .def(
           "set_fog",

@@ -68,13 +68,23 @@ struct Kind {
   KindKey key;
 };
 
+constexpr std::uint32_t kSteady = 0xffffffff;
+
+/// The flash of a light that flashes.
+struct FlashingLight {
+  std::uint32_t slot;
+  Flash flash;
+};
+
 /// A light; its slot is its index among the instances.
 struct Record {
   std::uint32_t generation = 1;
   std::uint32_t kind = 0;
   std::uint32_t heap_index = 0;  ///< among its kind's lights
-  float brightness = 0;          ///< largest colour component; 0 where it is off
-  glm::vec3 color{0};            ///< when on
+  float brightness = 0;          ///< largest colour component in its brightest flash; 0 where it is off
+  glm::vec3 color{0};            ///< when on, but for its flash
+  float flash_factor = 1;
+  std::uint32_t flashing = kSteady;  ///< index among those that flash
   bool is_on = false;
   bool is_held = false;
   bool is_dirty = false;
@@ -130,6 +140,7 @@ class FogUpdater::Store {
   FogLightHandle add(const PlacedLight& light);
   void change(FogLightHandle handle, const PlacedLight& light);
   void switch_light(FogLightHandle handle, bool is_on);
+  void set_time(double seconds);
   void remove(FogLightHandle handle);
   FogLightChanges set_fog(const Fog& fog);
   std::span<const FogLightKind> kinds() const { return kind_table_; }
@@ -144,7 +155,9 @@ class FogUpdater::Store {
   void enter(std::uint32_t slot, std::uint32_t kind_index);
   void leave(std::uint32_t slot);
   void pack(std::uint32_t slot, const PlacedLight& placed);
+  void set_flash(std::uint32_t slot, const Flash& flash);
   void show(std::uint32_t slot);
+  void write_color(std::uint32_t slot);
   void mark(std::uint32_t slot);
   void put(Kind& kind, std::size_t index, std::uint32_t slot);
   void sift(Kind& kind, std::size_t index);
@@ -154,12 +167,14 @@ class FogUpdater::Store {
 
   double skip_budget_;
   Fog fog_;
+  double seconds_ = 0;
   bool has_changed_ = false;  // any light since the last set_fog
   std::vector<Kind> kinds_;   // those without lights are free
   std::vector<FogLightKind> kind_table_;
   std::vector<std::uint32_t> free_kinds_;
   std::unordered_map<KindKey, std::uint32_t, KindKeyHash> kind_of_key_;
   std::vector<Record> records_;
+  std::vector<FlashingLight> flashing_;
   std::vector<FogLightInstance> instances_;
   std::vector<std::uint32_t> free_slots_;
   std::vector<std::uint32_t> dirty_slots_;  // room for all
@@ -207,9 +222,20 @@ void FogUpdater::Store::switch_light(FogLightHandle handle, bool is_on) {
   show(slot);
 }
 
+void FogUpdater::Store::set_time(double seconds) {
+  require_time(seconds);
+  seconds_ = seconds;
+  for (const FlashingLight& light : flashing_) {
+    Record& record = records_[light.slot];
+    const float factor = float(flash_at(light.flash, seconds));
+    if (std::exchange(record.flash_factor, factor) != factor && record.is_on) write_color(light.slot);
+  }
+}
+
 void FogUpdater::Store::remove(FogLightHandle handle) {
   const std::uint32_t slot = slot_of(handle);
   leave(slot);
+  set_flash(slot, {});
   instances_[slot] = {};
   mark(slot);
   Record& record = records_[slot];
@@ -347,18 +373,42 @@ void FogUpdater::Store::leave(std::uint32_t slot) {
 void FogUpdater::Store::pack(std::uint32_t slot, const PlacedLight& placed) {
   instances_[slot] = unchecked::pack_fog_light_instance(placed, records_[slot].kind);
   records_[slot].color = glm::vec3(instances_[slot].color);
+  set_flash(slot, placed.light.flash);
   show(slot);
+}
+
+/// Gives a light its flash, which may be that of a steady one.
+void FogUpdater::Store::set_flash(std::uint32_t slot, const Flash& flash) {
+  Record& record = records_[slot];
+  if (record.flashing != kSteady) {
+    const std::uint32_t hole = record.flashing;
+    flashing_[hole] = flashing_.back();
+    records_[flashing_[hole].slot].flashing = hole;
+    record.flashing = kSteady;
+    flashing_.pop_back();
+  }
+  if (flash.count > 0) {
+    record.flashing = std::uint32_t(flashing_.size());
+    flashing_.push_back({slot, flash});
+  }
+  record.flash_factor = float(flash_at(flash, seconds_));
+}
+
+/// Writes a light's colour at the time.
+void FogUpdater::Store::write_color(std::uint32_t slot) {
+  const Record& record = records_[slot];
+  instances_[slot].color = glm::vec4(record.is_on ? record.flash_factor * record.color : glm::vec3{0}, 0);
+  mark(slot);
 }
 
 /// Writes a light's colour, and its brightness to its kind.
 void FogUpdater::Store::show(std::uint32_t slot) {
   Record& record = records_[slot];
   Kind& kind = kinds_[record.kind];
-  const glm::vec3 color = record.is_on ? record.color : glm::vec3{0};
-  instances_[slot].color = glm::vec4(color, 0);
-  mark(slot);
+  write_color(slot);
   if (record.brightness > 0) --kind.lit_count;
-  record.brightness = brightness_of(color);
+  const float largest = record.flashing == kSteady ? 1 : float(largest_flash(flashing_[record.flashing].flash));
+  record.brightness = record.is_on ? largest * brightness_of(record.color) : 0;
   if (record.brightness > 0) ++kind.lit_count;
   kind.has_changed = true;
   sift(kind, record.heap_index);
@@ -431,6 +481,7 @@ FogUpdater& FogUpdater::operator=(FogUpdater&&) noexcept = default;
 FogLightHandle FogUpdater::add(const PlacedLight& light) { return store_->add(light); }
 void FogUpdater::change(FogLightHandle handle, const PlacedLight& light) { store_->change(handle, light); }
 void FogUpdater::switch_light(FogLightHandle handle, bool is_on) { store_->switch_light(handle, is_on); }
+void FogUpdater::set_time(double seconds) { store_->set_time(seconds); }
 void FogUpdater::remove(FogLightHandle handle) { store_->remove(handle); }
 FogLightChanges FogUpdater::set_fog(const Fog& fog) { return store_->set_fog(fog); }
 std::span<const FogLightKind> FogUpdater::kinds() const { return store_->kinds(); }

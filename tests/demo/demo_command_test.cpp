@@ -370,8 +370,9 @@ TEST_F(DemoCommand, CookiesTurnWithTime) {
   EXPECT_EQ(read("a.png"), read("c.png"));  // whole turns of the ball, 20 degrees a second, and of the beacon
   EXPECT_EQ(run("cookies --time -1").status, kUsage);
   EXPECT_EQ(run("cookies --time 1e308").status, kUsage);
-  EXPECT_ERROR(run("room --time 1"), kUsage,
-               std::string("litfog-demo: --time cannot be given with room: none of its lights turns") + kSeeHelp);
+  EXPECT_ERROR(
+      run("room --time 1"), kUsage,
+      std::string("litfog-demo: --time cannot be given with room: none of its lights turns or flashes") + kSeeHelp);
 }
 
 TEST_F(DemoCommand, BeamOfTheLighthouseTurnsWithTime) {
@@ -1122,7 +1123,8 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
   unused("--contrast", "--contrast flightgear --fog none --with no-skip");
   unused("--shadow-lamps", "--shadow-lamps 2 --path vertex --with no-skip --with path=legacy");
   EXPECT_EQ(error("one.json --with time=3"),
-            std::string("litfog-demo: --time cannot be given: none of the scene's lights turns") + kSeeCompareHelp);
+            std::string("litfog-demo: --time cannot be given: none of the scene's lights turns or flashes") +
+                kSeeCompareHelp);
   EXPECT_EQ(error("one.json --with lights=3"),
             std::string("litfog-demo: --lights cannot be given: the scene has no generated city") + kSeeCompareHelp);
   EXPECT_EQ(

@@ -363,7 +363,7 @@ TEST_F(LightingPathPixels, CookiesAreTheirTexelsByEveryPath) {
                   lamp({0.2, 0.9, -1.4}, kQuadratic, Cone::smoothstep(0.1, 0.7), true)};
   scene.cookies = {smooth_cookie(64), smooth_cookie(128)};
   scene.cookie_uses = {{0, {.cookie = 0, .roll = 0.4}}, {1, {.cookie = 1, .spin = -0.3}}};
-  turn_lights(scene, 2);
+  move_to_time(scene, 2);
   EXPECT_EQ(scene.cookie_uses[1].roll, -0.6);
   const Finish finish(scene);
   for (const LightingPath& path : lighting_paths()) {

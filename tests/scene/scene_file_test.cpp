@@ -109,10 +109,10 @@ TEST_F(SceneFile, ACookieTakesTheConesPlaceAndIsReadOnceForAllItsLights) {
     EXPECT_EQ(scene.lights[i].light.cone.profile, litfog::ConeProfile::none) << i;
     EXPECT_EQ(scene.cookie_uses.at(i).cookie, i == 4 ? 1u : 0u) << i;
   }
-  scene::turn_lights(scene, 0.75);
+  scene::move_to_time(scene, 0.75);
   EXPECT_DOUBLE_EQ(scene.cookie_uses.at(2).roll, glm::radians(90 - 0.75 * 180));
   EXPECT_EQ(scene.cookie_uses.at(3).roll, 0);
-  EXPECT_THROW(scene::turn_lights(scene, 1e308), std::invalid_argument);
+  EXPECT_THROW(scene::move_to_time(scene, 1e308), std::invalid_argument);
 }
 
 TEST_F(SceneFile, TurningLightTurnsToTheLeftAboutTheVerticalWithTime) {
@@ -120,12 +120,12 @@ TEST_F(SceneFile, TurningLightTurnsToTheLeftAboutTheVerticalWithTime) {
                      R"(}, "position": [0, 9, 0], "direction": [0, -3, -4], "turn_deg_per_s": 30,
                          "repeat": [{"count": 2, "step": [0, 0, 5]}]}, {"light": {)" +
                      kLamp + R"(}, "position": [0, 9, 0], "direction": [0, 0, -1]}], "objects": [])");
-  turn_lights(scene, 3);
+  move_to_time(scene, 3);
   for (const std::size_t i : {0u, 1u}) {
     EXPECT_NEAR(glm::distance(scene.lights[i].direction, glm::dvec3(-0.8, -0.6, 0)), 0, 1e-15) << i;
   }
   EXPECT_EQ(scene.lights[2].direction, glm::dvec3(0, 0, -1));
-  turn_lights(scene, kMaxSeconds);
+  move_to_time(scene, kMaxSeconds);
   EXPECT_FALSE(find_error(scene.lights[0]));
   EXPECT_NE(error_of(std::string("\"lights\": [{\"light\": {") + kLamp +
                      R"(}, "position": [0, 9, 0], "turn_deg_per_s": 3601}], "objects": [])")
@@ -146,7 +146,8 @@ TEST_F(SceneFile, FogHasNoTopAndNoAsymmetryWhereNoneIsStated) {
 TEST_F(SceneFile, DisplayIsReadAndChecked) {
   EXPECT_EQ(read("\"objects\": []").display, SceneDisplay{});
   EXPECT_EQ(read("\"display\": {\"exposure\": -3.5}, \"objects\": []").display, SceneDisplay{.exposure = -3.5});
-  const SceneDisplay automatic = read("\"display\": {\"exposure\": \"auto\", \"tone\": \"clip\"}, \"objects\": []").display;
+  const SceneDisplay automatic =
+      read("\"display\": {\"exposure\": \"auto\", \"tone\": \"clip\"}, \"objects\": []").display;
   EXPECT_FALSE(automatic.exposure);
   EXPECT_TRUE(automatic.is_clipped);
   EXPECT_EQ(error_of("\"display\": {\"exposure\": 40}, \"objects\": []"),

@@ -130,8 +130,8 @@ scene::Scene read_scene_of(const Setting& setting, scene::SceneParts& kept) {
 /// Throws the usage error of a --time or --lights that changes nothing in any scene.
 void expect_effects(const std::vector<Setting>& settings, const std::deque<scene::Scene>& scenes) {
   const bool has_time = std::ranges::any_of(settings, [](const Setting& each) { return each.drawing.seconds > 0; });
-  if (has_time && std::ranges::none_of(scenes, drawing::has_turning_light)) {
-    throw CLI::ValidationError("--time cannot be given: none of the scene's lights turns");
+  if (has_time && std::ranges::none_of(scenes, drawing::changes_with_time)) {
+    throw CLI::ValidationError("--time cannot be given: none of the scene's lights turns or flashes");
   }
   const bool has_lights = std::ranges::any_of(settings, [](const Setting& each) { return each.scene.city_lights > 0; });
   if (has_lights && std::ranges::none_of(scenes, &scene::Scene::has_city)) {
@@ -233,7 +233,7 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
   std::vector<std::string> inputs;
   for (const Setting& setting : settings) {
     scene::Scene& scene = scenes.emplace_back(read_scene_of(setting, kept));
-    scene::turn_lights(scene, setting.drawing.seconds);
+    scene::move_to_time(scene, setting.drawing.seconds);
     inputs.insert(inputs.end(), scene.files.begin(), scene.files.end());
   }
   expect_effects(settings, scenes);

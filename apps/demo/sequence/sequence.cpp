@@ -127,7 +127,7 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
       "Range in metres at which a fraction of the contrast is left; a range goes by equal ratios (default: what the "
       "scene suggests)");
   add_course(app, "--time", options.seconds, drawing::kSeconds, Steps::even,
-             "Seconds for which the scene's cookies and lights have been turning (default 0)");
+             "Seconds for which the scene's cookies and lights have been turning and flashing (default 0)");
   add_point_course(app, "--camera", options.camera, "Where the eye is, metres (default the scene's)");
   add_point_course(app, "--target", options.target, "What it looks at, metres (default the scene's)");
   add_course(app, "--fov-deg", options.field_of_view_deg, drawing::kFieldOfView, Steps::even,
@@ -161,7 +161,7 @@ Sequence::Sequence(const SequenceOptions& options)
   changes_objects_ = change(options.members, {"objects[", "city."});
   changes_environment_light_ = change(options.members, {"environment.ambient[", "environment.moon."});
   moves_camera_ = path_ || changes(options.camera) || changes(options.target) || changes(options.field_of_view_deg);
-  moves_lights_ = (changes(options.seconds) && drawing::has_turning_light(scene_)) ||
+  moves_lights_ = (changes(options.seconds) && drawing::changes_with_time(scene_)) ||
                   (moves_camera_ && std::ranges::any_of(scene_.lights, &PlacedLight::carried));
   // A frame that cannot be is found before any is drawn, which takes some ten times as long as reading it. The last one
   // comes first: it has a number that the command line states, which an error then names.
@@ -242,7 +242,7 @@ void Sequence::move_lights(int frame) {
   scene_.lights = lights_;
   scene_.cookie_uses = cookie_uses_;
   if (moves_camera_) carry_lights(scene_, first_camera_, scene_.camera);
-  if (options_.seconds) scene::turn_lights(scene_, options_.seconds->at(frame, frames_));
+  scene::move_to_time(scene_, options_.seconds ? options_.seconds->at(frame, frames_) : 0);
 }
 
 void draw_sequence(Sequence& sequence, const std::string& folder, const drawing::DrawingOptions& drawing) {

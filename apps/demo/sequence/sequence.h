@@ -23,7 +23,7 @@ struct SequenceOptions {
   std::string scene;  ///< as drawing::SceneOptions::scene
   std::vector<MemberCourse> members = {};
   std::optional<Course<double>> visibility = {};  ///< metres; default: what the scene suggests
-  std::optional<Course<double>> seconds = {};     ///< for which the scene's lights have been turning; default: 0
+  std::optional<Course<double>> seconds = {};     ///< at which the scene is shown; default: 0
   std::optional<Course<glm::dvec3>> camera = {};  ///< default: the scene's, like the three that follow
   std::optional<Course<glm::dvec3>> target = {};
   std::optional<Course<double>> field_of_view_deg = {};

@@ -115,6 +115,22 @@ typedef struct litfog_cone {
 #define LITFOG_MAX_POSITION 16777216.0     ///< largest magnitude of a coordinate, 2^24 m
 #define LITFOG_DIRECTION_TOLERANCE 1.0e-6  ///< how far from 1 the length of a direction may be
 
+#define LITFOG_MAX_FLASHES 8
+
+/// One flash of a lamp, in each period.
+typedef struct litfog_single_flash {
+  double start;      ///< seconds from the period's start: not before the end of the flash before it
+  double duration;   ///< seconds, > 0; the flash ends within the period
+  double intensity;  ///< (0, 1e6]: multiplies the light's colour
+} litfog_single_flash;
+
+/// How a lamp flashes: it is dark except in its flashes, which recur in each period. The first period begins at time 0.
+typedef struct litfog_flash {
+  double period;                                    ///< seconds, (0, 3600]
+  size_t count;                                     ///< of flashes in a period; 0: a steady lamp
+  litfog_single_flash flashes[LITFOG_MAX_FLASHES];  ///< the first `count` are in use
+} litfog_flash;
+
 /// A kind of light: what a light file holds.
 typedef struct litfog_light {
   double color[3];  ///< finite, >= 0; 1 is the display's white
@@ -123,6 +139,7 @@ typedef struct litfog_light {
   litfog_cone cone;
   double density_scale;  ///< finite, >= 0: its class sees this fraction of the fog's density; 0: no fog
   double source_radius;  ///< metres, R of the lamp's luminous disc for litfog_photometric; 0: none is known
+  litfog_flash flash;    ///< when the lamp is lit; only what takes a time reads it
 } litfog_light;
 
 /// A light in a scene.
@@ -152,6 +169,12 @@ LITFOG_API litfog_status litfog_photometric(const litfog_light* light, litfog_li
 
 /// The light's far intensity on its axis in candela, a component a colour; INFINITY where it has no quadratic term.
 LITFOG_API litfog_status litfog_candela(const litfog_light* light, double candela[3]);
+
+/// The factor of a light's colour at a time: the intensity of the flash that is on, 0 between flashes, 1 for a steady
+/// lamp.
+///
+/// seconds  [0, 1e9]
+LITFOG_API litfog_status litfog_flash_at(const litfog_flash* flash, double seconds, double* factor);
 
 // --- light files (litfog/files/light_file.h) ---
 
@@ -368,6 +391,11 @@ LITFOG_API litfog_status litfog_updater_change(litfog_updater* updater, litfog_l
 /// is_on  0: off, which is black in the tables; otherwise on
 LITFOG_API litfog_status litfog_updater_switch_light(litfog_updater* updater, litfog_light_handle handle,
                                                      int32_t is_on);
+/// Moves the time, which is 0 before the first call: lights that flash take the colour that they have then. Solves
+/// nothing.
+///
+/// seconds  [0, 1e9]
+LITFOG_API litfog_status litfog_updater_set_time(litfog_updater* updater, double seconds);
 LITFOG_API litfog_status litfog_updater_remove(litfog_updater* updater, litfog_light_handle handle);
 
 /// Brings the tables up to date with the fog (clear air before the first call) and with all changes of lights. Call it

@@ -25,8 +25,10 @@ namespace litfog {
 ///       "cone": {"profile": "cosine", "half_angle_deg": 15, "exponent": 75},  optional: a point light
 ///               {"profile": "smoothstep", "inner_deg": 5, "outer_deg": 15}
 ///       "density_scale": 0.4,                 optional: 1
-///       "source_radius_m": 0.05               optional: 0, none is known; above 0 pictures by airlight show the light as
+///       "source_radius_m": 0.05,              optional: 0, none is known; above 0 pictures by airlight show the light as
 ///                                             photometric() does
+///       "flash": {"period_s": 2,              optional: a lamp that is dark except in its flashes, at most 8 a period
+///                 "flashes": [{"start_s": 0, "duration_s": 0.05, "intensity": 5}]},  intensity: 1, times the colour
 ///       "fit": {...}                          optional: how litfog-fit found the figures; ignored
 ///     }
 ///

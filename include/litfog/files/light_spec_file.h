@@ -12,6 +12,7 @@
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
 #include "litfog/files/output_error.h"
+#include "litfog/flash.h"
 #include "litfog/input_error.h"
 
 namespace litfog {
@@ -30,6 +31,7 @@ namespace litfog {
 ///       "density_scale": 0.4,                   optional: 1; the light's
 ///       "source_radius_m": 0.08,                optional: that of a disc of the area of the photometry's luminous
 ///                                               opening, or 0.05, as far as the light can have it; the light's
+///       "flash": {...},                         optional: the light's (litfog/files/light_file.h)
 ///       "range": {                              optional, and each member of it, but not an extent and samples both
 ///         "threshold": 0.05,                    the light's
 ///         "extent_m": 120,                      where the attenuation is to be the threshold, met exactly; or instead
@@ -147,6 +149,7 @@ struct LightSpec {
   std::optional<double> color_temperature = {};  ///< kelvin, if the color was given by it
   double density_scale = 1;
   std::optional<double> source_radius = {};  ///< metres, >= 0
+  Flash flash = {};
   std::optional<RangeSpec> range = {};
   std::optional<ConeSpec> cone = {};
   std::shared_ptr<const LightSpecText> text = {};  ///< the file as read, for error_at
