@@ -47,6 +47,8 @@ Twins random_twins(Random& random) {
   light.source_radius = random.chance(0.5) ? 0 : random.uniform(0.01, 0.3);
   light.cone = random.pick(std::array{Cone{}, Cone::cosine(random.uniform(0.1, 1.5), random.uniform(0, 50)),
                                       Cone::smoothstep(random.uniform(0, 0.4), random.uniform(0.5, 3))});
+  if (random.chance(0.5))
+    light.flash = {2, 2, {{{0, random.uniform(0.1, 0.5), 5}, {random.uniform(0.5, 1.5), 0.5, 1}}}};
   placed.position = {random.uniform(-50, 50), random.uniform(-50, 50), random.uniform(-50, 50)};
   placed.direction = {0, 1, 0};
   placed.carried = random.chance(0.5);
@@ -57,7 +59,11 @@ Twins random_twins(Random& random) {
             light.threshold,
             {int(cone.profile), cone.half_angle, cone.exponent, cone.inner, cone.outer},
             light.density_scale,
-            light.source_radius},
+            light.source_radius,
+            {light.flash.period,
+             light.flash.count,
+             {{light.flash.flashes[0].start, light.flash.flashes[0].duration, light.flash.flashes[0].intensity},
+              {light.flash.flashes[1].start, light.flash.flashes[1].duration, light.flash.flashes[1].intensity}}}},
            {placed.position.x, placed.position.y, placed.position.z},
            {0, 1, 0},
            placed.carried}};
@@ -107,6 +113,18 @@ TEST_F(CFace, PhotometricLightsAreThoseOfCpp) {
   litfog_light wrong{};
   wrong.source_radius = 1;
   EXPECT_EQ(litfog_photometric(&wrong, &wrong), LITFOG_INVALID_ARGUMENT);
+}
+
+TEST_F(CFace, FlashesAreThoseOfCpp) {
+  for (int i = 0; i < 50; ++i) {
+    const Twins twins = random_twins(random_);
+    const double seconds = random_.uniform(0, 100);
+    double factor = -1;
+    ASSERT_EQ(litfog_flash_at(&twins.c.light.flash, seconds, &factor), LITFOG_OK) << litfog_last_error();
+    EXPECT_EQ(factor, flash_at(twins.cpp.light.flash, seconds));
+    EXPECT_EQ(litfog_flash_at(&twins.c.light.flash, -1, &factor), LITFOG_INVALID_ARGUMENT);
+    EXPECT_STREQ(litfog_last_error(), "seconds = -1: must be in [0, 1e9]");
+  }
 }
 
 TEST_F(CFace, AirlightsAreThoseOfCpp) {
@@ -293,6 +311,9 @@ TEST_F(CFace, UpdatersTablesAreThoseOfCpp) {
     EXPECT_EQ(handle.generation, expected.generation);
   }
   for (const double density : {1e-3, 1e-2, 1e-2}) {
+    const double seconds = random_.uniform(0, 100);
+    cpp.set_time(seconds);
+    ASSERT_EQ(litfog_updater_set_time(c, seconds), LITFOG_OK);
     const FogLightChanges expected = cpp.set_fog({FogMode::exp, density});
     const litfog_fog fog{LITFOG_FOG_EXP, density};
     litfog_fog_light_changes changes;
@@ -463,6 +484,7 @@ TEST_F(CFace, HandlesOfRemovedLightsAreRefused) {
   EXPECT_EQ(litfog_updater_change(updater, removed, &light), LITFOG_INVALID_ARGUMENT);
   EXPECT_EQ(litfog_updater_switch_light(updater, removed, 0), LITFOG_INVALID_ARGUMENT);
   EXPECT_EQ(litfog_updater_remove(updater, removed), LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(litfog_updater_set_time(updater, -1), LITFOG_INVALID_ARGUMENT);
   EXPECT_EQ(litfog_updater_instance_of(updater, removed, &index), LITFOG_INVALID_ARGUMENT);
   EXPECT_EQ(litfog_updater_kind_of(updater, removed, &index), LITFOG_INVALID_ARGUMENT);
   EXPECT_EQ(litfog_updater_remove(updater, {0, 0}), LITFOG_INVALID_ARGUMENT) << "of no light";
@@ -485,13 +507,21 @@ TEST_F(CFace, AnyNumbersAreTakenOrRefused) {
   for (int i = 0; i < 10000; ++i) {
     litfog_placed_light light = random_twins(random_).c;
     for (int changes = random_.below(4); changes > 0; --changes) {
-      double* const members[] = {light.light.color,          &light.light.attenuation.constant,
-                                 &light.light.threshold,     &light.light.attenuation.linear,
-                                 &light.light.density_scale, &light.light.attenuation.quadratic,
-                                 &light.light.cone.outer,    &light.light.cone.half_angle,
-                                 &light.position[1],         &light.light.cone.exponent,
-                                 &light.direction[1],        &light.light.cone.inner,
-                                 &light.light.source_radius};
+      double* const members[] = {light.light.color,
+                                 &light.light.attenuation.constant,
+                                 &light.light.threshold,
+                                 &light.light.attenuation.linear,
+                                 &light.light.density_scale,
+                                 &light.light.attenuation.quadratic,
+                                 &light.light.cone.outer,
+                                 &light.light.cone.half_angle,
+                                 &light.position[1],
+                                 &light.light.cone.exponent,
+                                 &light.direction[1],
+                                 &light.light.cone.inner,
+                                 &light.light.source_radius,
+                                 &light.light.flash.period,
+                                 &light.light.flash.flashes[1].start};
       *random_.pick(members) = number();
     }
     if (random_.chance(0.1)) light.light.cone.profile = random_.below(5) - 1;

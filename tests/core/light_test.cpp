@@ -45,6 +45,21 @@ TEST(Light, NegativeOrInfiniteDensityScaleIsAnError) {
   EXPECT_EQ(error_after([](Light& l) { l.density_scale = 0; }), "accepted");
 }
 
+TEST(Light, FlashThatNoLampHasOrNoColourHoldsIsAnError) {
+  Flash flash{1, 1, {{{0, 0.1, 1e6}}}};
+  EXPECT_EQ(error_after([&](Light& l) { l.flash = flash; }), "accepted");
+  EXPECT_EQ(error_after([&](Light& l) {
+              l.flash = flash;
+              l.color.g = 1e305;
+            }),
+            "color = inf: must be finite in each flash");
+  EXPECT_TRUE(error_after([&](Light& l) {
+                l = {.color = {1e303, 0, 0}, .attenuation = {1, 0, 1}, .source_radius = 0.1, .flash = flash};
+              }).starts_with("source_radius = 0.1: must leave color"));
+  flash.period = 0;
+  EXPECT_EQ(error_after([&](Light& l) { l.flash = flash; }), "flash.period = 0: must be in (0, 3600]");
+}
+
 TEST(Light, SourceRadiusThatNoLawCanHaveIsAnError) {
   const auto error = [](double radius, const Attenuation& attenuation, double red = 1) {
     return error_after([&](Light& l) {

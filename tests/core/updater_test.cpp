@@ -49,9 +49,9 @@ FogLightKind expected_kind(const PlacedLight& light, double intensity) {
   const double light_extent = compute_extent(light.light.attenuation, light.light.threshold);
   return pack_fog_light_kind(light, {.intensity = intensity, .peak_range = 0, .extent = light_extent, .status = {}});
 }
-FogLightInstance expected_instance(const PlacedLight& light, bool is_on, std::size_t kind) {
+FogLightInstance expected_instance(const PlacedLight& light, bool is_on, std::size_t kind, float factor = 1) {
   FogLightInstance instance = pack_fog_light_instance(light, kind);
-  if (!is_on) instance.color = glm::vec4{0};
+  instance.color *= is_on ? factor : 0;
   return instance;
 }
 
@@ -60,7 +60,7 @@ float intensity_of(const PlacedLight& light, const Fog& fog) {
 }
 
 float brightness_of(const PlacedLight& light, bool is_on) {
-  const glm::vec4 color = expected_instance(light, is_on, 0).color;
+  const glm::vec4 color = expected_instance(light, is_on, 0, float(largest_flash(light.light.flash))).color;
   return std::max({color.r, color.g, color.b});
 }
 
@@ -133,6 +133,11 @@ class Mirror {
     lights[i].is_on = is_on;
   }
 
+  void set_time(double seconds) {
+    updater.set_time(seconds);
+    seconds_ = seconds;
+  }
+
   void remove(std::size_t i) {
     updater.remove(lights[i].handle);
     lights[i] = lights.back();
@@ -160,7 +165,8 @@ class Mirror {
       ASSERT_LT(at, is_used.size());
       ASSERT_FALSE(is_used[at]);
       is_used[at] = true;
-      const FogLightInstance expected = expected_instance(held.light, held.is_on, updater.kind_of(held.handle));
+      const float factor = float(flash_at(held.light.light.flash, seconds_));
+      const FogLightInstance expected = expected_instance(held.light, held.is_on, updater.kind_of(held.handle), factor);
       ASSERT_TRUE(is_same(instances_.entries()[at], expected));
     }
     for (std::size_t i = 0; i < is_used.size(); ++i) {
@@ -207,6 +213,7 @@ class Mirror {
   }
 
   double budget_;
+  double seconds_ = 0;
   UploadedTable<FogLightKind> kinds_;
   UploadedTable<FogLightInstance> instances_;
 };
@@ -220,6 +227,7 @@ PlacedLight draw_light(Random& random) {
   light.light.density_scale = random.pick(std::array{1., 1., 0.4, 0.});
   light.light.color = glm::dvec3{random.pick(std::array{0., 0.01, 0.5, 1., 1., 30.})} * glm::dvec3{0.5, 1, 0.25};
   light.light.cone = random.pick(std::array{Cone{}, Cone::cosine(0.5, 3), Cone::smoothstep(0.5, 3)});
+  if (random.chance(0.3)) light.light.flash = {2, 2, {{{random.uniform(0, 0.4), 0.5, 5}, {1, random.uniform(0.1, 1)}}}};
   light.position = {random.uniform(-100, 100), random.uniform(-100, 100), 2};
   light.carried = random.chance(0.8);
   return light;
@@ -240,6 +248,7 @@ void run_random_calls(Mirror& mirror, Random& random, int calls, double calls_pe
       fog = draw_fog(random, fog);
       ASSERT_NO_FATAL_FAILURE(mirror.set_fog(fog));
     }
+    if (random.chance(0.1)) mirror.set_time(random.uniform(0, 100));
     if (mirror.lights.empty() || random.chance(0.4)) {
       mirror.add(draw_light(random));
       continue;
@@ -385,6 +394,41 @@ TEST(FogUpdater, LightsThatAreNotCarriedAreSkipped) {
   EXPECT_EQ(updater.statistics().lights_skipped, 1u);
   EXPECT_TRUE(updater.set_fog({FogMode::exp, 0.02}).empty());
   EXPECT_TRUE(is_same(kind_of(updater, handle), expected_kind(light, 0)));
+}
+
+TEST(FogUpdater, FlashWritesItsInstanceAloneAndSolvesNothing) {
+  FogUpdater updater;
+  PlacedLight strobe = carried_light();
+  strobe.light.flash = {1, 1, {{{0.5, 0.125, 40}}}};
+  updater.add(carried_light({1, 0.1, 0.01}));
+  const FogLightHandle handle = updater.add(strobe);
+  updater.set_fog(kMist);
+  EXPECT_EQ(instance_of(updater, handle).color, glm::vec4(0));
+  EXPECT_EQ(stored_intensity(updater, handle), intensity_of(strobe, kMist));
+  for (const auto& [seconds, factor] : {std::pair{0.4, 0}, {0.5, 40}, {0.6, 40}, {0.625, 0}, {1e6 + 0.5, 40}}) {
+    const bool is_new = instance_of(updater, handle).color.r != float(factor);
+    updater.set_time(seconds);
+    const FogLightChanges changes = updater.set_fog(kMist);
+    EXPECT_EQ(instance_of(updater, handle).color, glm::vec4(factor, factor, factor, 0)) << seconds;
+    EXPECT_EQ(updater.statistics().kinds_solved, 0u);
+    EXPECT_TRUE(changes.kinds.empty());
+    EXPECT_EQ(changes.instances.size(), is_new ? 1u : 0u);
+    if (is_new)
+      EXPECT_EQ(changes.instances[0], (EntryRange{updater.instance_of(handle), updater.instance_of(handle) + 1}));
+  }
+  for (const double seconds : {-1.0, 1.1e9, kNan}) EXPECT_THROW(updater.set_time(seconds), std::invalid_argument);
+}
+
+TEST(FogUpdater, KindIsMeasuredByItsBrightestFlash) {
+  FogUpdater updater;
+  PlacedLight strobe = carried_light({1, 0.1, 0.01}, glm::dvec3{1e-4});
+  const FogLightHandle steady = updater.add(strobe);
+  updater.set_fog(kMist);
+  EXPECT_EQ(stored_intensity(updater, steady), 0);
+  strobe.light.flash = {1, 2, {{{0.5, 0.1}, {0.6, 0.1, 1000}}}};
+  updater.change(steady, strobe);
+  updater.set_fog(kMist);
+  EXPECT_EQ(stored_intensity(updater, steady), intensity_of(strobe, kMist));
 }
 
 TEST(FogUpdater, LightsThatAreOffAreSkipped) {
@@ -614,6 +658,7 @@ TEST(FogUpdater, SetFogAllocatesNothing) {
     fog = draw_fog(random, fog);
     updater.set_fog(fog);
     for (int i = 0; i < 10; ++i) updater.switch_light(random.pick(handles), random.chance(0.5));
+    updater.set_time(random.uniform(0, 100));
   }
   EXPECT_EQ(allocation_count(), before);
   FogUpdater().add(carried_light());

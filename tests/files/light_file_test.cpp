@@ -99,6 +99,19 @@ TEST(LightFile, WrongMemberIsAnErrorAtItsLocationInTheFilesTerms) {
   EXPECT_EQ(with(R"("color": [1, 1])"), "f:2:10: color = an array: must be an array of three numbers");
   EXPECT_EQ(with(R"("density_scale": -1)"), "f:2:18: density_scale = -1: must be finite and >= 0");
   EXPECT_EQ(with(R"("source_radius_m": 1)"), "f:2:20: source_radius_m = 1: must be 0 where attenuation.quadratic is 0");
+  const auto with_flash = [&](const std::string& flashes) {
+    return with(R"("flash": {"period_s": 2, "flashes": [)" + flashes + "]}");
+  };
+  EXPECT_EQ(with(R"("flash": {"period_s": 4000, "flashes": [{"start_s": 0, "duration_s": 1}]})"),
+            "f:2:23: flash.period_s = 4000: must be in (0, 3600]");
+  EXPECT_EQ(with_flash(""), "f:2:37: flash.flashes = an array: must hold 1 to 8 flashes");
+  EXPECT_EQ(with_flash(R"({"start_s": 0, "duration_s": 1}, {"start_s": 0.5, "duration_s": 1})"),
+            "f:2:83: flash.flashes[1].start_s = 0.5: must be >= 0 and not before the end of the flash before it");
+  EXPECT_EQ(with_flash(R"({"start_s": 1.5, "duration_s": 0.6})"),
+            "f:2:68: flash.flashes[0].duration_s = 0.6: must end within the period");
+  EXPECT_EQ(with_flash(R"({"start_s": 0, "duration_s": 1, "intensity": 0})"),
+            "f:2:82: flash.flashes[0].intensity = 0: must be in (0, 1e6]");
+  EXPECT_EQ(with_flash(R"({"start_s": 0})"), "f:2:38: flash.flashes[0].duration_s: must be given");
   EXPECT_EQ(with(R"("source": [1])"), "f:2:12: source[0] = 1: must be a string");
   EXPECT_EQ(with(R"("name": 1)"), "f:2:9: name = 1: must be a string");
   EXPECT_TRUE(with(R"("light_point_only": true)").starts_with("f:2:1: \"light_point_only\": must be one of litfog, "));
@@ -135,6 +148,7 @@ TEST(LightFile, WrittenLightIsReadBackToTheDigit) {
     light.threshold = random.uniform(0.001, 0.999);
     light.density_scale = random.chance(0.5) ? 1 : random.uniform(0, 2);
     light.source_radius = random.chance(0.5) ? 0 : random.log_uniform(1e-3, 2);
+    if (random.chance(0.5)) light.flash = {2, 2, {{{random.uniform(0, 0.5), 1. / 3, 7}, {1, random.uniform(0.1, 1)}}}};
     const double outer = pi / 180 * random.uniform(0.1, 180);
     if (random.chance(0.4)) light.cone = Cone::smoothstep(random.uniform(0, 0.9) * outer, outer);
     if (random.chance(0.4)) light.cone = Cone::cosine(outer / 2, random.log_uniform(1e-3, 1e5));
@@ -154,6 +168,7 @@ TEST(LightFile, WrittenLightIsReadBackToTheDigit) {
     EXPECT_EQ(back.threshold, light.threshold);
     EXPECT_EQ(back.density_scale, light.density_scale);
     EXPECT_EQ(back.source_radius, light.source_radius);
+    EXPECT_EQ(back.flash, light.flash);
     EXPECT_EQ(back.cone, light.cone);
     const JsonValue source = parse_json(text, "f").member("source");
     EXPECT_EQ(source.items()[1].string(), "\xC3\xA4\\");

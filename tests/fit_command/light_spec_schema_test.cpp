@@ -19,7 +19,7 @@ using fit::read_spec;
 /// Between them they have every member.
 constexpr std::array kSpecs{
     R"({"litfog": "light-spec", "version": 1, "name": "a", "source": ["a", "b"], "color": [1, 0.5, 0], "density_scale": 0.4,
-      "source_radius_m": 0.1,
+      "source_radius_m": 0.1, "flash": {"period_s": 1, "flashes": [{"start_s": 0, "duration_s": 0.1, "intensity": 2}]},
       "range": {"threshold": 0.05, "extent_m": 120, "constant": 1,
                 "samples": [{"range_m": 10, "attenuation": 0.8, "weight": 1}, {"range_m": 20, "attenuation": 0.5}]},
       "cone": {"profile": "best", "half_angle_deg": 45, "beam_angle_deg": 10, "field_angle_deg": 20,
@@ -41,6 +41,8 @@ constexpr std::array kRulesAcrossMembers{"must be larger than the one before",
                                          "must be 0, or in [1e-100, 1e100]",
                                          "must be 0 or in [1e-100, 1e100]",
                                          "must be in (0, 90]",
+                                         "not before the end of the flash before",
+                                         "must end within the period",
                                          "for end_lx"};
 
 class LightSpecSchema : public testing::Test {

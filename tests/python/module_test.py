@@ -95,7 +95,7 @@ class SolveTest(unittest.TestCase):
 
     def test_records_are_equal_where_all_their_fields_are(self):
         values = {"name": "a", "color": (1, 0.5, 0), "attenuation": litfog.Attenuation(0.5, 0.1, 2), "threshold": 0.1,
-                  "cone": litfog.Cone.cosine(0.3, 7), "density_scale": 0.4}  # fmt: skip
+                  "cone": litfog.Cone.cosine(0.3, 7), "density_scale": 0.4, "flash": litfog.Flash(1, [(0, 0.5, 2)])}  # fmt: skip
         light = litfog.Light(**values)
         self.assertEqual(light, litfog.Light(**values))
         self.assertFalse(light != litfog.Light(**values))
@@ -495,6 +495,13 @@ class UpdaterTest(unittest.TestCase):
         solved = litfog.solve_fog_intensity(self.lamp.attenuation, thicker)
         self.assertEqual(kinds[kind]["cone_scale_intensity"][3], np.float32(solved.intensity))  # the same view
         self.assertEqual((updater.statistics.kinds_solved, updater.statistics.bytes_dirty), (1, 32))
+
+        self.lamp.flash = litfog.Flash(2, [(0.5, 0.25, 5)])
+        updater.change(handle, litfog.PlacedLight(self.lamp, carried=True))
+        updater.set_time(0.5)
+        updater.set_fog(thicker)
+        self.assertEqual(updater.instances[updater.instance_of(handle)]["color"][0], 5 * self.lamp.color[0])
+        self.assertEqual(list(litfog.flash_at(self.lamp.flash, np.array([0, 0.5, 0.75, 2.5]))), [0, 5, 0, 5])
 
         updater.switch_light(other, False)
         changes = updater.set_fog(thicker)

@@ -133,6 +133,18 @@ TEST_F(SceneFile, TurningLightTurnsToTheLeftAboutTheVerticalWithTime) {
             std::string::npos);
 }
 
+TEST_F(SceneFile, FlashingLightHasTheColourOfTheTime) {
+  const std::string text =
+      std::string("\"lights\": [{\"light\": {") + kLamp +
+      R"(, "flash": {"period_s": 2, "flashes": [{"start_s": 0.5, "duration_s": 0.5, "intensity": 5}]}},
+                              "color": [1, 2, 0], "position": [0, 9, 0]}], "objects": [])";
+  for (const auto& [seconds, factor] : {std::pair{0.0, 0.0}, {0.75, 5}, {1, 0}, {8.5, 5}}) {
+    Scene scene = read(text);
+    move_to_time(scene, seconds);
+    EXPECT_EQ(scene.lights[0].light.color, factor * glm::dvec3(1, 2, 0)) << seconds;
+  }
+}
+
 TEST_F(SceneFile, FogHasNoTopAndNoAsymmetryWhereNoneIsStated) {
   const Scene plain = read("\"objects\": []");
   EXPECT_EQ(plain.atmosphere.top, std::numeric_limits<double>::infinity());
