@@ -122,7 +122,8 @@ std::vector<drawing::SheetEntry> draw_row(const Row& row, const drawing::Drawing
   for (const double visibility : shown_visibilities(*row.scene)) {
     const std::string file = picture_file(row, visibility);
     const command::WallTimer timer;
-    const render::Display display = drawing::set_fog_and_exposure(renderer, at_visibility(options, visibility)).display;
+    const drawing::Display display =
+        drawing::set_fog_and_exposure(renderer, at_visibility(options, visibility)).display;
     renderer.draw();
     const render::Picture drawn = renderer.read();
     const double seconds = timer.seconds();
@@ -130,7 +131,7 @@ std::vector<drawing::SheetEntry> draw_row(const Row& row, const drawing::Drawing
         std::isinf(visibility) ? row.title + ", clear air" : fmt::format("{}, visibility {} m", row.title, visibility)};
     const std::string text = drawing::display_in_words(display);
     if (!text.empty()) caption.push_back(text);
-    render::Picture picture = render::displayed(drawn, display);
+    render::Picture picture = drawing::displayed(drawn, row.scene->camera, display);
     entries.push_back({drawing::fitted_to_cell(picture), std::move(caption)});
     const std::lock_guard lock(output.mutex);
     output.pictures.write(file, std::move(picture));

@@ -115,7 +115,7 @@ void check_picture_options(const CLI::App& app, const PictureOptions& options) {
                    "it is one of the papers' programs that have none"});
   rules.push_back({"--output " + options.output,
                    drawing::holds_scene_light(options.output),
-                   {"--exposure", "--tone"},
+                   {"--exposure", "--tone", "--glare"},
                    "it holds the scene's light"});
   check_options(app, rules);
   if (is_given("--output") && !drawing::is_picture_path(options.output)) {
@@ -151,9 +151,9 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
         drawing::make_heat_map(drawn.comparison->error, fmt::format("{}, {}", scene.name, drawing.render.path->name)));
   }
   const render::Picture& picture = options.reference ? drawn.comparison->reference : drawn.picture;
-  std::optional<render::Display> display;
+  std::optional<drawing::Display> display;
   if (!drawing::holds_scene_light(output)) display = drawn.display;
-  drawing::write_picture(output, display ? render::displayed(picture, *display) : picture);
+  drawing::write_picture(output, display ? drawing::displayed(picture, scene.camera, *display) : picture);
   if (is_given("--stats")) files::write_whole_file(options.stats, drawing::stats_json(scene, drawing, drawn, display));
   const std::string words = display               ? drawing::display_in_words(*display)
                             : is_cut_off(picture) ? "in 32-bit floats: light exceeds half floats' 65504"

@@ -7,6 +7,7 @@
 
 #include "command/command.h"
 #include "command/number.h"
+#include "render/plan/view.h"
 
 namespace litfog::drawing {
 namespace {
@@ -23,9 +24,13 @@ render::Exposure parse_exposure(const std::string& text) {
 
 }  // namespace
 
-render::Display DisplayOptions::display_for(const scene::Scene& scene) const {
+Glare DisplayOptions::glare_of(render::FogLighting fog_lighting) const {
+  return glare.value_or(fog_lighting == render::FogLighting::airlight ? Glare::eye : Glare::none);
+}
+
+Display DisplayOptions::display_for(const scene::Scene& scene, render::FogLighting fog_lighting) const {
   const render::Exposure stated{.ev = scene.display.exposure.value_or(0), .is_auto = !scene.display.exposure};
-  return {.exposure = exposure.value_or(stated), .tone = tone};
+  return {.exposure = exposure.value_or(stated), .tone = tone, .glare = glare_of(fog_lighting)};
 }
 
 void add_display(CLI::App& app, DisplayOptions& options) {
@@ -38,11 +43,17 @@ void add_display(CLI::App& app, DisplayOptions& options) {
       app, "--tone", options.tone, {{"neutral", render::ToneCurve::neutral}, {"clip", render::ToneCurve::clip}},
       "How a .png shows light beyond its white: neutral keeps the hue (Khronos PBR Neutral), clip cuts each channel "
       "(default neutral)");
+  command::add_choice<std::optional<Glare>>(app, "--glare", options.glare, {{"eye", Glare::eye}, {"none", Glare::none}},
+                                            "Whether a .png shows light as the eye's optics spread it (Spencer et al. "
+                                            "1995), so that of two lamps the brighter is the larger (default eye with "
+                                            "airlight, none with peak)");
 }
 
 const char* tone_name(render::ToneCurve tone) { return tone == render::ToneCurve::neutral ? "neutral" : "clip"; }
 
-std::string display_in_words(const render::Display& display) {
+const char* glare_name(Glare glare) { return glare == Glare::eye ? "eye" : "none"; }
+
+std::string display_in_words(const Display& display) {
   std::string words;
   const render::Exposure& exposure = display.exposure;
   if (exposure.is_auto || exposure.ev != 0)
@@ -51,6 +62,12 @@ std::string display_in_words(const render::Display& display) {
     words += fmt::format("{}tone {}", words.empty() ? "" : ", ", tone_name(display.tone));
   }
   return words;
+}
+
+render::Picture displayed(const render::Picture& picture, const scene::Camera& camera, const Display& display) {
+  const render::Display shown{.exposure = display.exposure, .tone = display.tone};
+  if (display.glare == Glare::none) return render::displayed(picture, shown);
+  return render::displayed(with_glare(picture, render::pixels_per_radian(camera, picture.height)), shown);
 }
 
 }  // namespace litfog::drawing

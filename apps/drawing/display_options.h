@@ -4,7 +4,9 @@
 #include <optional>
 #include <string>
 
+#include "drawing/glare.h"
 #include "render/display.h"
+#include "render/render_settings.h"
 #include "scene/scene.h"
 
 namespace CLI {
@@ -13,23 +15,37 @@ class App;
 
 namespace litfog::drawing {
 
+/// render::Display, and before it the eye.
+struct Display {
+  render::Exposure exposure = {};
+  render::ToneCurve tone = render::ToneCurve::neutral;
+  Glare glare = Glare::none;
+};
+
 /// How scene light becomes the light of a picture that is shown.
 struct DisplayOptions {
   std::optional<render::Exposure> exposure = {};  ///< default: the scene's
   render::ToneCurve tone = render::ToneCurve::neutral;
+  std::optional<Glare> glare = {};  ///< default: that of glare_of
 
   friend bool operator==(const DisplayOptions&, const DisplayOptions&) = default;
 
-  render::Display display_for(const scene::Scene& scene) const;
+  /// What is asked for, else the eye's for pictures by airlight and none for the papers' pictures.
+  Glare glare_of(render::FogLighting fog_lighting) const;
+  Display display_for(const scene::Scene& scene, render::FogLighting fog_lighting) const;
 };
 
-/// --exposure and --tone.
+/// --exposure, --tone and --glare.
 void add_display(CLI::App& app, DisplayOptions& options);
 
-/// The curve's name on the command line.
+/// The names on the command line.
 const char* tone_name(render::ToneCurve tone);
+const char* glare_name(Glare glare);
 
-/// "EV -7.32 (auto), tone clip": what is not the default of our own scenes; empty where nothing is.
-std::string display_in_words(const render::Display& display);
+/// "EV -7.32 (auto), tone clip": exposure and tone that are not the default of our own scenes; empty where both are.
+std::string display_in_words(const Display& display);
+
+/// A camera's picture as a display shows it: the eye's glare, then render::displayed.
+render::Picture displayed(const render::Picture& picture, const scene::Camera& camera, const Display& display);
 
 }  // namespace litfog::drawing

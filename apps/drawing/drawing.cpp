@@ -28,7 +28,7 @@ const char* sky_name(render::SkyDrawing sky) {
 DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& options) {
   const double visibility = options.visibility_in(renderer.scene());
   renderer.set_atmosphere(options.atmosphere_of(renderer.scene(), visibility));
-  render::Display display = options.display.display_for(renderer.scene());
+  Display display = options.display.display_for(renderer.scene(), renderer.settings().fog_lighting);
   display.exposure = renderer.set_exposure(display.exposure);
   return {.display = display, .visibility = visibility};
 }
@@ -61,7 +61,7 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
 }
 
 std::string stats_json(const scene::Scene& scene, const DrawingOptions& options, const Drawn& drawn,
-                       const std::optional<render::Display>& display) {
+                       const std::optional<Display>& display) {
   using Json = nlohmann::ordered_json;
   const measure::FrameTimes& times = drawn.times;
   const render::FrameCounts& counts = drawn.statistics.counts;
@@ -126,6 +126,7 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
     stats["exposure_ev"] = display->exposure.ev;
     stats["exposure_auto"] = display->exposure.is_auto;
     stats["tone"] = tone_name(display->tone);
+    stats["glare"] = glare_name(display->glare);
   }
   if (drawn.comparison) {
     const measure::PictureError& error = drawn.comparison->error;

@@ -16,8 +16,8 @@ namespace litfog::drawing {
 /// A scene drawn once or several times, and what there is to know about it.
 struct Drawn {
   render::Picture picture;
-  render::Display display;  ///< for which it was drawn, an automatic exposure chosen
-  double visibility;        ///< metres
+  Display display;    ///< for which it was drawn, an automatic exposure chosen
+  double visibility;  ///< metres
   measure::FrameTimes times;
   std::size_t shadow_lamps;                       ///< that cast shadows
   std::size_t shadow_maps;                        ///< theirs and the moon's
@@ -30,11 +30,12 @@ struct Drawn {
 
 /// What a picture is drawn for.
 struct DrawnFor {
-  render::Display display;  ///< an automatic exposure chosen
-  double visibility;        ///< metres
+  Display display;    ///< an automatic exposure chosen
+  double visibility;  ///< metres
 };
 
-/// Gives a renderer the fog and the exposure that the options state, or else its scene suggests.
+/// Gives a renderer the fog and the exposure that the options state, or else its scene suggests. The exposure is that
+/// of the light before the eye's glare.
 DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& options);
 
 /// Draws and times a scene. Throws gl::Unsupported if this machine cannot.
@@ -64,10 +65,10 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
 /// ms_by_stage           plan (what to draw, on the CPU), surfaces, sky, points, panes, resolve (of a pixel's samples),
 ///                       airlight: each is waited for
 ///
-/// Then exposure and tone of a picture that a display shows, and errors where there is a reference.
+/// Then exposure, tone and glare of a picture that a display shows, and errors where there is a reference.
 ///
 /// display  of the picture's file; none for one that holds the scene's light
 std::string stats_json(const scene::Scene& scene, const DrawingOptions& options, const Drawn& drawn,
-                       const std::optional<render::Display>& display);
+                       const std::optional<Display>& display);
 
 }  // namespace litfog::drawing

@@ -119,7 +119,7 @@ Drawn draw(const CLI::App& app, const drawing::SceneOptions& scene_options, cons
   renderer.draw();
   Drawn drawn{.light = renderer.read(), .shown = {}, .visibility = visibility, .exposure = display.exposure.ev};
   if (is_cut_off(drawn.light)) drawn.light = renderer.draw_in_floats();
-  drawn.shown = drawing::shown_pixels(render::displayed(drawn.light, display));
+  drawn.shown = drawing::shown_pixels(drawing::displayed(drawn.light, scene.camera, display));
   return drawn;
 }
 
@@ -178,8 +178,10 @@ PYBIND11_MODULE(pictures, m) {
     picture_class.attr(field).attr("__doc__") = text;
   };
   document("light", "the scene's light, linear RGB: float32 of height, width and 3, the top row first");
-  document("shown",
-           "the same as a display shows it, after exposure, tone curve, sRGB and dither: uint8, as in the demo's .png");
+  document(
+      "shown",
+      "the same as a display shows it, after the eye's glare, exposure, tone curve, sRGB and dither: uint8, as in the\n"
+      "demo's .png");
   document("visibility", "metres; infinity in clear air");
   document("exposure", "EV by which shown is brighter than light");
   m.attr("Picture") = picture_class;

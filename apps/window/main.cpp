@@ -223,7 +223,8 @@ double App::rest() const {
 }
 
 render::Exposure App::shown_exposure() const {
-  render::Exposure exposure = session_.settings[session_.edited].display.display_for(session_.scene()).exposure;
+  const drawing::DrawingOptions& options = session_.settings[session_.edited];
+  render::Exposure exposure = options.display.display_for(session_.scene(), options.settings().fog_lighting).exposure;
   if (exposure.is_auto && delivery_ && session_.edited < delivery_->pictures.size()) {
     exposure.ev = delivery_->pictures[session_.edited].display.exposure.ev;
   }

@@ -36,7 +36,7 @@ class KeptRenderer {
   }
 
   /// is_unwanted  Renderer::interrupt_when
-  DrawnPicture draw(const render::Display& display, bool is_sketch, std::function<bool()> is_unwanted) {
+  DrawnPicture draw(const drawing::Display& display, bool is_sketch, std::function<bool()> is_unwanted) {
     renderer_->interrupt_when(std::move(is_unwanted));
     render::Exposure exposure = display.exposure;
     if (exposure.is_auto && is_sketch && chosen_) {
@@ -47,11 +47,12 @@ class KeptRenderer {
     }
     if (exposure.is_auto) chosen_ = exposure.ev;
     DrawnPicture drawn;
-    drawn.display = {.exposure = exposure, .tone = display.tone};
+    drawn.display = {
+        .exposure = exposure, .tone = display.tone, .glare = is_sketch ? drawing::Glare::none : display.glare};
     const command::WallTimer timer;
     drawn.counts = renderer_->draw();
     drawn.milliseconds = timer.milliseconds();
-    drawn.shown = render::displayed(renderer_->read(), drawn.display);
+    drawn.shown = drawing::displayed(renderer_->read(), camera_, drawn.display);
     drawn.pixels = drawing::shown_pixels(drawn.shown);
     return drawn;
   }
@@ -130,8 +131,9 @@ void PictureMaker::work(scene::Scene scene) try {
       for (std::size_t i = 0; i < renderers.size(); ++i) {
         const drawing::DrawingOptions& options = order.settings[i];
         renderers[i].set(scene, order, options);
-        delivery.pictures.push_back(renderers[i].draw(options.display.display_for(scene), order.is_sketch,
-                                                      [this, &order] { return is_unwanted(order); }));
+        delivery.pictures.push_back(
+            renderers[i].draw(options.display.display_for(scene, options.settings().fog_lighting), order.is_sketch,
+                              [this, &order] { return is_unwanted(order); }));
       }
     } catch (const render::Interrupted&) {
       lock.lock();

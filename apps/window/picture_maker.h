@@ -28,7 +28,7 @@ struct PictureOrder {
   std::shared_ptr<const std::vector<PlacedLight>> lights;  ///< replace the scene's, one each; never null
   int width = 0;                                           ///< pixels
   int height = 0;
-  bool is_sketch = false;  ///< soon replaced: an automatic exposure stays as it was
+  bool is_sketch = false;  ///< soon replaced: an automatic exposure stays as it was, and there is no glare
 
   friend bool operator==(const PictureOrder&, const PictureOrder&) = default;
 };
@@ -37,7 +37,7 @@ struct PictureOrder {
 struct DrawnPicture {
   render::Picture shown;             ///< what a display shows, for drawing::write_picture
   std::vector<std::uint8_t> pixels;  ///< drawing::shown_pixels of `shown`
-  render::Display display;           ///< an automatic exposure chosen
+  drawing::Display display;          ///< an automatic exposure chosen
   render::FrameCounts counts;
   double milliseconds = 0;  ///< drawing alone, without changing settings before and reading after
 };

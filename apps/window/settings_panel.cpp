@@ -128,6 +128,12 @@ void draw_display(drawing::DrawingOptions& options, const render::Exposure& show
   choice("neutral", options.display.tone, render::ToneCurve::neutral);
   ImGui::SameLine();
   choice("clip", options.display.tone, render::ToneCurve::clip);
+  label("Glare");
+  drawing::Glare glare = options.display.glare_of(options.settings().fog_lighting);
+  if (choice("eye", glare, drawing::Glare::eye)) options.display.glare = glare;
+  explain("Light spread as the eye spreads it; left out while the picture moves");
+  ImGui::SameLine();
+  if (choice("none", glare, drawing::Glare::none)) options.display.glare = glare;
 }
 
 void draw_camera(Session& session) {

@@ -63,7 +63,7 @@ std::string see_help(const std::string& arguments) {
 
 TEST_F(DemoCommand, PngAndExrShowTheSameLight) {
   // By clip, for neutral changes the dark too.
-  for (const char* output : {"a.png --tone clip", "a.exr"}) {
+  for (const char* output : {"a.png --tone clip --glare none", "a.exr"}) {
     const Outcome outcome = run(std::string("tessellation --visibility 200 --size 64x36 -o ") + output);
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
   }
@@ -92,6 +92,20 @@ TEST_F(DemoCommand, ExposureAndToneAreThePicturesAndNotTheLights) {
   EXPECT_FALSE(nlohmann::json::parse(read("linear.json")).contains("tone"));
 }
 
+TEST_F(DemoCommand, EyesGlareIsThatOfPicturesByAirlightUnlessStated) {
+  for (const char* fog_light : {"airlight", "peak"}) {
+    const bool has_glare = fog_light == std::string("airlight");
+    for (const char* options : {"-o own.png --stats own.json", "-o eye.png --glare eye", "-o none.png --glare none"}) {
+      const Outcome outcome =
+          run(fmt::format("room --size 32x18 --exposure auto --fog-light {} {}", fog_light, options));
+      ASSERT_EQ(outcome.status, kDone) << outcome.err;
+    }
+    EXPECT_EQ(read("own.png"), read(has_glare ? "eye.png" : "none.png")) << fog_light;
+    EXPECT_NE(read("eye.png"), read("none.png")) << fog_light;
+    EXPECT_EQ(nlohmann::json::parse(read("own.json"))["glare"], has_glare ? "eye" : "none");
+  }
+}
+
 TEST_F(DemoCommand, AutomaticExposureIsToldAndGivesTheSamePictureWhenGiven) {
   const Outcome outcome = run("room --size 32x18 --exposure auto --tone clip -o a.png --stats s.json");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
@@ -105,7 +119,7 @@ TEST_F(DemoCommand, AutomaticExposureIsToldAndGivesTheSamePictureWhenGiven) {
   EXPECT_EQ(read("a.png"), read("b.png"));
 }
 
-TEST_F(DemoCommand, WrongExposuresAndTonesAreErrors) {
+TEST_F(DemoCommand, WrongExposuresTonesAndGlaresAreErrors) {
   for (const std::string ev : {"bright", "nan", "inf", "-inf", "32.1", "-33", "1e308", "''", "1x", "Auto"}) {
     const std::string shown = ev == "''" ? "\"\"" : ev;
     EXPECT_ERROR(run("room -o a.png --exposure " + ev), kUsage,
@@ -117,7 +131,9 @@ TEST_F(DemoCommand, WrongExposuresAndTonesAreErrors) {
   }
   EXPECT_ERROR(run("room --tone filmic"), kUsage,
                std::string("litfog-demo: --tone = filmic: must be one of neutral|clip") + kSeeHelp);
-  for (const std::string option : {"--exposure auto", "--tone clip"}) {
+  EXPECT_ERROR(run("room --glare night"), kUsage,
+               std::string("litfog-demo: --glare = night: must be one of eye|none") + kSeeHelp);
+  for (const std::string option : {"--exposure auto", "--tone clip", "--glare eye"}) {
     EXPECT_ERROR(run("room -o a.exr " + option), kUsage,
                  "litfog-demo: " + option.substr(0, option.find(' ')) +
                      " cannot be given with --output a.exr: it holds the scene's light" + kSeeHelp);

@@ -27,14 +27,16 @@ TEST(CommandLine, EveryControlHasItsOption) {
   options.render.skipping = render::Skipping::off;
   options.render.samples = 8;
   options.seconds = 1.5;
-  options.display = {.exposure = render::Exposure{.ev = -2.25}, .tone = render::ToneCurve::clip};
+  options.display = {
+      .exposure = render::Exposure{.ev = -2.25}, .tone = render::ToneCurve::clip, .glare = drawing::Glare::none};
   options.width = 640;
   options.height = 360;
   command.camera = {.position = {0.1, -2, 3e-5}, .target = {1, 2, 3}, .field_of_view = glm::radians(47.5f)};
   command.changes = {{"lights[0].attenuation.quadratic", "0.002"}, {"lights[1].color", "[1.0,0.5,0.25]"}};
   EXPECT_EQ(to_string(command),
             "litfog-demo room --fog exp2 --visibility 62.5 --contrast koschmieder --phase-g 0.5 --fog-light airlight "
-            "--shadows shafts --time 1.5 --exposure -2.25 --tone clip --samples 8 --no-skip --camera 0.1,-2,3e-05 "
+            "--shadows shafts --time 1.5 --exposure -2.25 --tone clip --glare none --samples 8 --no-skip --camera "
+            "0.1,-2,3e-05 "
             "--target 1,2,3 --fov-deg 47.5 --set 'lights[0].attenuation.quadratic=0.002' "
             "--set 'lights[1].color=[1.0,0.5,0.25]' --size 640x360");
 }

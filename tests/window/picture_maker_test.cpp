@@ -39,16 +39,17 @@ class PictureMakerTest : public GlTest {
     }
   }
 
-  /// As litfog-demo writes it.
+  /// As litfog-demo writes it, a sketch without glare.
   std::vector<std::uint8_t> drawn_by_demo(const PictureOrder& order, std::size_t which) const {
     scene::Scene scene = scene_;
     scene.camera = order.camera;
     scene.lights = *order.lights;
     drawing::DrawingOptions options = order.settings[which];
+    if (order.is_sketch) options.display.glare = drawing::Glare::none;
     options.width = order.width;
     options.height = order.height;
     const drawing::Drawn drawn = drawing::draw(scene, options, 1, false, false);
-    return drawing::shown_pixels(render::displayed(drawn.picture, drawn.display));
+    return drawing::shown_pixels(drawing::displayed(drawn.picture, scene.camera, drawn.display));
   }
 
   scene::Scene scene_;

@@ -66,12 +66,19 @@ std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<re
   return measure::time_frames(draws, measure::FrameBudget::exactly(frames), progress);
 }
 
-/// Chooses an automatic exposure by the first path's picture and gives it to all renderers.
-render::Display set_exposures(const std::vector<std::unique_ptr<render::Renderer>>& renderers,
-                              render::Display display) {
-  display.exposure = renderers.front()->set_exposure(display.exposure);
-  for (const auto& renderer : renderers) renderer->set_exposure({.ev = display.exposure.ev});
-  return display;
+/// How each path's picture is shown. Chooses an automatic exposure by the first path's picture and gives it to all
+/// renderers.
+std::vector<drawing::Display> set_exposures(const std::vector<std::unique_ptr<render::Renderer>>& renderers,
+                                            const scene::Scene& scene, const drawing::DisplayOptions& options) {
+  std::vector<drawing::Display> displays;
+  for (const auto& renderer : renderers) {
+    displays.push_back(options.display_for(scene, renderer->settings().fog_lighting));
+    render::Exposure& first = displays.front().exposure;
+    if (displays.size() == 1) first = renderer->set_exposure(first);
+    displays.back().exposure = first;
+    renderer->set_exposure({.ev = first.ev});
+  }
+  return displays;
 }
 
 PathResult result_of(const render::LightingPath& path, const measure::FrameTimes& times,
@@ -86,19 +93,21 @@ PathResult result_of(const render::LightingPath& path, const measure::FrameTimes
 }
 
 /// Reports a path's result, writes its pictures and adds what it has drawn to the scene's sheet.
-void show_path(const SceneResult& scene, const PathResult& result, const measure::Comparison& comparison,
-               const render::Display& display, drawing::PictureFolder& pictures, Sheet& sheet) {
+///
+/// reference, drawn  as a display shows them
+void show_path(const SceneResult& scene, const PathResult& result, const measure::PictureError& picture_error,
+               const render::Picture& reference, render::Picture drawn, drawing::PictureFolder& pictures,
+               Sheet& sheet) {
   const render::LightingPath& path = *result.path;
   const std::string time = fmt::format("{} ms a frame, {:.2f} x legacy",
                                        measure::milliseconds_text(result.milliseconds), result.over_legacy);
-  const std::string error = measure::error_in_words(comparison.error);
+  const std::string error = measure::error_in_words(picture_error);
   command::report(fmt::format("  {:<12} {:>32}; {}\n", path.name, time, error));
-  render::Picture drawn = render::displayed(comparison.drawn, display);
   sheet.add(drawn, {fmt::format("{}: {}", path.name, time), error});
   pictures.write(scene.error_file(path),
-                 drawing::make_heat_map(comparison.error, fmt::format("{}, {}", scene.name, path.name)));
+                 drawing::make_heat_map(picture_error, fmt::format("{}, {}", scene.name, path.name)));
   pictures.write(scene.drawn_file(path), std::move(drawn));
-  pictures.write(scene.reference_file(path), render::displayed(comparison.reference, display));
+  pictures.write(scene.reference_file(path), reference);
 }
 
 SceneResult compare_scene(const scene::Scene& scene, drawing::PictureFolder& pictures, const std::string& machine,
@@ -111,8 +120,9 @@ SceneResult compare_scene(const scene::Scene& scene, drawing::PictureFolder& pic
                      .lights = scene.lights.size()};
   command::report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
   auto renderers = make_renderers(scene, atmosphere, options);
-  const render::Display display = set_exposures(renderers, options.display.display_for(scene));
-  if (const std::string words = drawing::display_in_words(display); !words.empty()) result.conditions += ", " + words;
+  const std::vector<drawing::Display> displays = set_exposures(renderers, scene, options.display);
+  if (const std::string words = drawing::display_in_words(displays.front()); !words.empty())
+    result.conditions += ", " + words;
   pictures.finish();  // encoding would take time from the frames
   command::Progress shown;
   const measure::Progress progress = [&](std::string_view step) {
@@ -125,13 +135,14 @@ SceneResult compare_scene(const scene::Scene& scene, drawing::PictureFolder& pic
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const measure::Comparison comparison = measure::compare_with_reference(*renderers[i], progress);
     renderers[i].reset();
+    const render::Picture reference = drawing::displayed(comparison.reference, scene.camera, displays[i]);
     if (i == 0) {
-      sheet.add(render::displayed(comparison.reference, display),
-                {fmt::format("{}, {}: reference in double", scene.name, result.conditions),
-                 fmt::format("{} x {} on {}", options.width, options.height, machine)});
+      sheet.add(reference, {fmt::format("{}, {}: reference in double", scene.name, result.conditions),
+                            fmt::format("{} x {} on {}", options.width, options.height, machine)});
     }
     result.paths.push_back(result_of(paths[i], times[i], times[legacy], comparison.error));
-    show_path(result, result.paths.back(), comparison, display, pictures, sheet);
+    show_path(result, result.paths.back(), comparison.error, reference,
+              drawing::displayed(comparison.drawn, scene.camera, displays[i]), pictures, sheet);
   }
   pictures.write(result.sheet_file(), sheet.picture());
   return result;

@@ -141,7 +141,7 @@ void expect_effects(const std::vector<Setting>& settings, const std::deque<scene
 
 struct SettingRenderer {
   std::unique_ptr<render::Renderer> renderer;
-  render::Display display;  // an automatic exposure chosen
+  drawing::Display display;  // an automatic exposure chosen
 };
 
 /// An automatic exposure is that of the first setting that has one.
@@ -153,7 +153,7 @@ std::vector<SettingRenderer> make_renderers(const std::vector<Setting>& settings
     const drawing::DrawingOptions& drawing = settings[i].drawing;
     auto renderer = std::make_unique<render::Renderer>(scenes[i], drawing.width, drawing.height, drawing.settings());
     renderer->set_atmosphere(drawing.atmosphere_of(scenes[i], drawing.visibility_in(scenes[i])));
-    render::Display display = drawing.display.display_for(scenes[i]);
+    drawing::Display display = drawing.display.display_for(scenes[i], renderer->settings().fog_lighting);
     if (display.exposure.is_auto && automatic) display.exposure = {.ev = *automatic};
     display.exposure = renderer->set_exposure(display.exposure);
     if (display.exposure.is_auto) automatic = display.exposure.ev;
@@ -250,7 +250,7 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
   std::vector<render::Picture> pictures;
   std::vector<SettingResult> results;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    pictures.push_back(render::displayed(renderers[i].renderer->read(), renderers[i].display));
+    pictures.push_back(drawing::displayed(renderers[i].renderer->read(), scenes[i].camera, renderers[i].display));
     results.push_back({.text = settings[i].text,
                        .milliseconds = times[i].median(),
                        .spread = times[i].spread(),

@@ -267,7 +267,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const drawing:
   const bool chooses_casters = sequence.moves_camera() && settings.shadows != render::Shadows::none;
   render::Renderer renderer(scene, drawing.width, drawing.height, settings);
   if (sequence.changes_environment_light()) renderer.set_environment_light();
-  render::Display display = drawing.display.display_for(scene);
+  drawing::Display display = drawing.display.display_for(scene, settings.fog_lighting);
   for (int frame = 0; frame < count; ++frame) {
     const command::WallTimer frame_timer;
     if (frame > 0) {
@@ -283,7 +283,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const drawing:
     }
     renderer.draw();
     const std::string& file = frame_files[std::size_t(frame)];
-    pictures.write(file, render::displayed(renderer.read(), display));
+    pictures.write(file, drawing::displayed(renderer.read(), scene.camera, display));
     command::report(fmt::format("{}: {}, drawn in {:.2f} s\n", pictures.path_of(file), sequence.text(frame),
                                 frame_timer.seconds()));
   }

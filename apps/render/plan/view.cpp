@@ -7,6 +7,10 @@
 
 namespace litfog::render {
 
+double pixels_per_radian(const scene::Camera& camera, int height) {
+  return height / (2 * std::tan(double(camera.field_of_view) / 2));
+}
+
 View view_of(const scene::Camera& camera, glm::ivec2 size, double top_above_eye) {
   const glm::mat4 clip_from_eye = clip_from_view(camera, double(size.x) / size.y);
   const glm::mat4 view_from_world = scene::view_from_world<float>(camera);
@@ -17,7 +21,7 @@ View view_of(const scene::Camera& camera, glm::ivec2 size, double top_above_eye)
           .forward = glm::normalize(glm::vec3(camera.target) - glm::vec3(camera.position)),
           .clip_from_world = clip_from_eye * view_from_world,
           .direction_from_clip = glm::inverse(clip_from_eye * turned),
-          .pixels_per_radian = size.y / (2 * std::tan(double(camera.field_of_view) / 2)),
+          .pixels_per_radian = pixels_per_radian(camera, size.y),
           .top_above_eye = top_above_eye};
 }
 

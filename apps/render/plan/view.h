@@ -18,6 +18,11 @@ struct View {
   double top_above_eye;           ///< metres: the atmosphere's
 };
 
+/// Pixels per radian at the middle of a camera's picture.
+///
+/// height  of the picture, pixels
+double pixels_per_radian(const scene::Camera& camera, int height);
+
 /// camera         relative to SceneLights::origin()
 /// top_above_eye  metres, of the atmosphere
 View view_of(const scene::Camera& camera, glm::ivec2 size, double top_above_eye);
