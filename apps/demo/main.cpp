@@ -95,6 +95,7 @@ struct PictureOptions {
   int frames = 1;
   bool reference = false;
   bool sorts_polygons = false;
+  bool in_floats = false;
 };
 
 /// Throws the usage error of options that do not belong together.
@@ -117,6 +118,8 @@ void check_picture_options(const CLI::App& app, const PictureOptions& options) {
                    drawing::holds_scene_light(options.output),
                    {"--exposure", "--tone", "--glare"},
                    "it holds the scene's light"});
+  rules.push_back(
+      {"a .png picture", !drawing::holds_scene_light(options.output), {"--exr"}, "it has 8 bits a channel"});
   check_options(app, rules);
   if (is_given("--output") && !drawing::is_picture_path(options.output)) {
     fail_option("--output", options.output, "must end in .png or .exr");
@@ -143,8 +146,8 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
   for (const std::string& file : scene.files) outputs.expect_apart_from(file);
   outputs.expect_no_documents();
 
-  const drawing::Drawn drawn =
-      draw(scene, drawing, options.frames, options.reference || is_given("--heat-map"), is_given("--stats"));
+  const drawing::Drawn drawn = draw(scene, drawing, options.frames, options.reference || is_given("--heat-map"),
+                                    is_given("--stats"), options.in_floats);
   if (is_given("--heat-map")) {
     drawing::write_picture(
         options.heat_map,
@@ -153,7 +156,8 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
   const render::Picture& picture = options.reference ? drawn.comparison->reference : drawn.picture;
   std::optional<drawing::Display> display;
   if (!drawing::holds_scene_light(output)) display = drawn.display;
-  drawing::write_picture(output, display ? drawing::displayed(picture, scene.camera, *display) : picture);
+  drawing::write_picture(output, display ? drawing::displayed(picture, scene.camera, *display) : picture,
+                         options.in_floats);
   if (is_given("--stats")) files::write_whole_file(options.stats, drawing::stats_json(scene, drawing, drawn, display));
   const std::string words = display               ? drawing::display_in_words(*display)
                             : is_cut_off(picture) ? "in 32-bit floats: light exceeds half floats' 65504"
@@ -173,6 +177,9 @@ Job add_picture_job(CLI::App& app) {
                  "Picture to write: .png (what a display shows) or .exr (linear light) (default SCENE.png)")
       ->type_name("FILE");
   drawing::add_picture_options(app, options->scene, options->drawing);
+  add_choice<bool>(app, "--exr", options->in_floats, {{"half", false}, {"float", true}},
+                   "Numbers of an .exr picture: 16-bit floats unless its light exceeds them, or 32-bit floats "
+                   "(default half)");
   add_integer(app, "--frames", options->frames, 1, 100'000,
               "Frames to draw and time, after one that is not timed (default 1)");
   app.add_flag("--reference", options->reference,
@@ -184,6 +191,7 @@ Job add_picture_job(CLI::App& app) {
   app.add_option("--stats", options->stats, "Write times and counts as JSON")->type_name("FILE");
   return [&app, options] {
     check_picture_options(app, *options);
+    if (drawing::holds_scene_light(options->output)) options->drawing.display.glare = drawing::Glare::none;
     return draw_picture(app, *options);
   };
 }

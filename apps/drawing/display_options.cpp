@@ -28,9 +28,13 @@ Glare DisplayOptions::glare_of(render::FogLighting fog_lighting) const {
   return glare.value_or(fog_lighting == render::FogLighting::airlight ? Glare::eye : Glare::none);
 }
 
+render::ToneCurve DisplayOptions::tone_of(const scene::Scene& scene) const {
+  return tone.value_or(scene.display.is_clipped ? render::ToneCurve::clip : render::ToneCurve::neutral);
+}
+
 Display DisplayOptions::display_for(const scene::Scene& scene, render::FogLighting fog_lighting) const {
   const render::Exposure stated{.ev = scene.display.exposure.value_or(0), .is_auto = !scene.display.exposure};
-  return {.exposure = exposure.value_or(stated), .tone = tone, .glare = glare_of(fog_lighting)};
+  return {.exposure = exposure.value_or(stated), .tone = tone_of(scene), .glare = glare_of(fog_lighting)};
 }
 
 void add_display(CLI::App& app, DisplayOptions& options) {
@@ -39,10 +43,10 @@ void add_display(CLI::App& app, DisplayOptions& options) {
          "EV by which a .png is brighter than the scene's light; auto chooses it from the picture (default the "
          "scene's; auto for glTF files)")
       ->type_name("EV|auto");
-  command::add_choice<render::ToneCurve>(
+  command::add_choice<std::optional<render::ToneCurve>>(
       app, "--tone", options.tone, {{"neutral", render::ToneCurve::neutral}, {"clip", render::ToneCurve::clip}},
       "How a .png shows light beyond its white: neutral keeps the hue (Khronos PBR Neutral), clip cuts each channel "
-      "(default neutral)");
+      "(default the scene's, else neutral)");
   command::add_choice<std::optional<Glare>>(app, "--glare", options.glare, {{"eye", Glare::eye}, {"none", Glare::none}},
                                             "Whether a .png shows light as the eye's optics spread it (Spencer et al. "
                                             "1995), so that of two lamps the brighter is the larger (default eye with "

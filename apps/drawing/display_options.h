@@ -25,13 +25,14 @@ struct Display {
 /// How scene light becomes the light of a picture that is shown.
 struct DisplayOptions {
   std::optional<render::Exposure> exposure = {};  ///< default: the scene's
-  render::ToneCurve tone = render::ToneCurve::neutral;
-  std::optional<Glare> glare = {};  ///< default: that of glare_of
+  std::optional<render::ToneCurve> tone = {};     ///< default: the scene's
+  std::optional<Glare> glare = {};                ///< default: that of glare_of
 
   friend bool operator==(const DisplayOptions&, const DisplayOptions&) = default;
 
   /// What is asked for, else the eye's for pictures by airlight and none for the papers' pictures.
   Glare glare_of(render::FogLighting fog_lighting) const;
+  render::ToneCurve tone_of(const scene::Scene& scene) const;
   Display display_for(const scene::Scene& scene, render::FogLighting fog_lighting) const;
 };
 

@@ -34,7 +34,7 @@ DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& 
 }
 
 Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference,
-           bool has_statistics) {
+           bool has_statistics, bool in_floats) {
   const gl::HeadlessContext context;
   render::Renderer renderer(scene, options.width, options.height, options.settings());
   const DrawnFor drawn_for = set_fog_and_exposure(renderer, options);
@@ -56,7 +56,7 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
   if (has_statistics) drawn.statistics = renderer.draw_and_measure();
   if (has_reference) drawn.comparison = measure::compare_with_reference(renderer, show);
   drawn.picture = drawn.comparison ? drawn.comparison->drawn : renderer.read();
-  if (is_cut_off(drawn.picture)) drawn.picture = renderer.draw_in_floats();
+  if (in_floats || is_cut_off(drawn.picture)) drawn.picture = renderer.draw_in_floats();
   return drawn;
 }
 

@@ -43,8 +43,9 @@ DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& 
 /// frames          to time, >= 1
 /// has_reference   whether the last frame is compared with its reference
 /// has_statistics  whether statistics are wanted
+/// in_floats       whether the picture is drawn once more into floats; it is anyway where light is beyond half floats
 Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference,
-           bool has_statistics);
+           bool has_statistics, bool in_floats = false);
 
 /// The file of --stats: what was drawn and how (`scene` to `lights`, `skip` to `shadow_maps`), the times of `frames`
 /// frames (`ms_per_frame`), and of one frame more, drawn stage by stage as if the view had just changed:

@@ -82,6 +82,7 @@ render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& p
   settings.path = &path;
   settings.fog_lighting = path.takes_airlight ? fog_light.value_or(own) : render::FogLighting::peak;
   if (!path.takes_airlight) settings.shadows = render::Shadows::none;
+  settings.has_eye_threshold = display.glare_of(settings.fog_lighting) == Glare::eye;
   return settings;
 }
 

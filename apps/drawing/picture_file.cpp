@@ -19,10 +19,10 @@ Format format_of(const std::string& path) {
   return ending == ".png" ? Format::png : ending == ".exr" ? Format::exr : Format::unknown;
 }
 
-std::string text_of(const std::string& path, const render::Picture& picture) {
+std::string text_of(const std::string& path, const render::Picture& picture, bool in_floats) {
   if (format_of(path) == Format::png) return png_text(picture);
   try {
-    return image::image_library().exr_text(picture.width, picture.height, picture.rgb);
+    return image::image_library().exr_text(picture.width, picture.height, picture.rgb, in_floats);
   } catch (const image::ImageError& error) {
     throw OutputError(path + ": cannot be written: " + error.what());
   }
@@ -30,8 +30,8 @@ std::string text_of(const std::string& path, const render::Picture& picture) {
 
 }  // namespace
 
-void write_picture(const std::string& path, const render::Picture& picture) {
-  files::write_whole_file(path, text_of(path, picture));
+void write_picture(const std::string& path, const render::Picture& picture, bool in_floats) {
+  files::write_whole_file(path, text_of(path, picture, in_floats));
 }
 
 std::string png_text(const render::Picture& picture) {

@@ -11,7 +11,9 @@ namespace litfog::drawing {
 
 /// Writes a picture atomically: .png as sRGB, 8 bits, dithered against banding (clamped to [0, 1]: render::displayed
 /// makes it fit); .exr as linear half floats, or floats where light is beyond those (65,504). Throws OutputError.
-void write_picture(const std::string& path, const render::Picture& picture);
+///
+/// in_floats  .exr: floats in any case
+void write_picture(const std::string& path, const render::Picture& picture, bool in_floats = false);
 
 /// The bytes of a .png file of it.
 std::string png_text(const render::Picture& picture);

@@ -35,9 +35,9 @@ class ImageLibrary {
   /// throws  ImageError
   virtual Levels decode_jpeg(std::string_view bytes, const std::function<void(int, int)>& accept) const = 0;
 
-  /// The bytes of an .exr file: of half floats, or of floats where a number is beyond those. The same picture is the
-  /// same file. Throws ImageError.
-  virtual std::string exr_text(int width, int height, std::span<const float> rgb) const = 0;
+  /// The bytes of an .exr file: of half floats, or of floats where those are asked for or a number is beyond half
+  /// floats. The same picture is the same file. Throws ImageError.
+  virtual std::string exr_text(int width, int height, std::span<const float> rgb, bool in_floats) const = 0;
 
   /// Averaged to a smaller size. Throws ImageError.
   virtual std::vector<float> resized(int width, int height, std::span<const float> rgb, int new_width,

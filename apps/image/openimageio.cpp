@@ -42,8 +42,9 @@ class OpenImageIo final : public ImageLibrary {
     return levels;
   }
 
-  std::string exr_text(int width, int height, std::span<const float> rgb) const override {
-    const bool is_half = std::ranges::all_of(rgb, [](float value) { return !(std::abs(value) > kMaxHalf); });
+  std::string exr_text(int width, int height, std::span<const float> rgb, bool in_floats) const override {
+    const bool is_half =
+        !in_floats && std::ranges::all_of(rgb, [](float value) { return !(std::abs(value) > kMaxHalf); });
     OIIO::ImageSpec spec(width, height, 3, is_half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("compression", "zip");

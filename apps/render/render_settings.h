@@ -35,6 +35,7 @@ struct RenderSettings {
   FogLighting fog_lighting = FogLighting::peak;  ///< airlight: only on paths that light each fragment
   PaperSettings papers = {};
   int samples = 4;                  ///< a pixel, at least: 1, 2, 4 or 8
+  bool has_eye_threshold = false;   ///< by airlight: points of lamps that no eye would see are left out
   Shadows shadows = Shadows::none;  ///< others: only on paths that light each fragment
   int shadow_lamps = 8;             ///< at most this many lamps cast shadows: choose_shadow_casters
   int shadow_map_size = 1024;       ///< texels a side, at least 16

@@ -73,7 +73,7 @@ std::string to_string(const DrawingCommand& command) {
   if (const auto& exposure = options.display.exposure) {
     add(true, "--exposure", exposure->is_auto ? "auto" : fmt::format("{}", exposure->ev));
   }
-  add(options.display.tone != usual.display.tone, "--tone", drawing::tone_name(options.display.tone));
+  if (options.display.tone) add(true, "--tone", drawing::tone_name(*options.display.tone));
   if (options.display.glare) add(true, "--glare", drawing::glare_name(*options.display.glare));
   add(drawn.samples != usual.render.samples, "--samples", fmt::format("{}", drawn.samples));
   add(options.render.skipping == render::Skipping::off, "--no-skip");

@@ -111,7 +111,7 @@ void draw_lighting(drawing::DrawingOptions& options) {
   }
 }
 
-void draw_display(drawing::DrawingOptions& options, const render::Exposure& shown) {
+void draw_display(drawing::DrawingOptions& options, const scene::Scene& scene, const render::Exposure& shown) {
   heading("DISPLAY");
   label("Exposure");
   bool is_auto = shown.is_auto;
@@ -125,9 +125,10 @@ void draw_display(drawing::DrawingOptions& options, const render::Exposure& show
   }
   ImGui::EndDisabled();
   label("Tone");
-  choice("neutral", options.display.tone, render::ToneCurve::neutral);
+  render::ToneCurve tone = options.display.tone_of(scene);
+  if (choice("neutral", tone, render::ToneCurve::neutral)) options.display.tone = tone;
   ImGui::SameLine();
-  choice("clip", options.display.tone, render::ToneCurve::clip);
+  if (choice("clip", tone, render::ToneCurve::clip)) options.display.tone = tone;
   label("Glare");
   drawing::Glare glare = options.display.glare_of(options.settings().fog_lighting);
   if (choice("eye", glare, drawing::Glare::eye)) options.display.glare = glare;
@@ -173,7 +174,7 @@ Wishes draw_settings(Session& session, const render::Exposure& shown_exposure) {
   }
   draw_fog(session);
   draw_lighting(session.edited_settings());
-  draw_display(session.edited_settings(), shown_exposure);
+  draw_display(session.edited_settings(), session.scene(), shown_exposure);
   draw_camera(session);
   heading("KEEP");
   Wishes wishes;

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "litfog/attenuation.h"
+#include "litfog/visual_threshold.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 
@@ -117,6 +118,18 @@ TEST(Light, ErrorOfAPartIsTheLightsError) {
   EXPECT_EQ(error_after([](Light& l) { l.threshold = 1; }), "threshold = 1: must be in (0, 1)");
   EXPECT_EQ(error_after([](Light& l) { l.cone = Cone::cosine(3, 1); }), "cone.half_angle = 3: must be in (0, pi/2]");
   EXPECT_EQ(error_after([](Light& l) { l.cone = Cone::smoothstep(1, 0.5); }), "cone.inner = 1: must be in [0, outer)");
+}
+
+TEST(VisualThreshold, ThresholdIsTheFormulasAndRisesWithTheBackground) {
+  EXPECT_NEAR(illuminance_threshold(1) / std::pow(10, -6.66), 1, 1e-12);
+  EXPECT_NEAR(illuminance_threshold(1000) / std::pow(10, 1.71 + 0.45 - 6.66), 1, 1e-12);
+  double before = illuminance_threshold(0);
+  EXPECT_EQ(illuminance_threshold(1e-7), before);
+  for (double background = 1e-5; background < 1e5; background *= 2) {
+    const double threshold = illuminance_threshold(background);
+    EXPECT_GT(threshold, before) << background;
+    before = threshold;
+  }
 }
 
 template <typename Change>

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "litfog/attenuation.h"
+#include "litfog/color_temperature.h"
 #include "litfog/cone.h"
 #include "render/light/octaves.h"
 
@@ -26,13 +27,13 @@ double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, F
   const double through = fog_factor_at(scaled(fog, light.density_scale), range);
   const double arriving = attenuation_at(light.attenuation, range) * cone * through;
   if (fog_lighting == FogLighting::airlight) {
+    if (luminance(light.color) * arriving < view.least_seen) return 0;
     const double cosine = std::max(-glm::dot(to_eye, view.forward) / range, 0.01);
     const double pixel = std::pow(pixel_scale(view), -2) * std::pow(cosine, 3);  // its solid angle
     return largest_component(light.color) * arriving / (pixel * (1 + 0.2 * double(kDiscEdge * kDiscEdge)));
   }
   constexpr double kCoreAndHalo = 1 + kHaloBrightness;
-  return kCoreAndHalo * largest_component(light.color) *
-         std::min(arriving / kFullBrightness, double(kBrightestPoint));
+  return kCoreAndHalo * largest_component(light.color) * std::min(arriving / kFullBrightness, double(kBrightestPoint));
 }
 
 /// A surface hides no part of a point that is nearer by this factor. All of a point is drawn at the depth of its
@@ -78,7 +79,7 @@ PointList list_points(const SceneLights& lights, const Fog& fog, FogLighting fog
   }
   const double least = octaves.least_kept(budget);
   for (const Point& point : points) {
-    if (point.largest < least) {
+    if (point.largest < least || point.largest == 0) {
       ++list.hidden;
       continue;
     }

@@ -9,7 +9,9 @@
 #include <numeric>
 
 #include "litfog/airlight.h"
+#include "litfog/color_temperature.h"
 #include "litfog/cone.h"
+#include "litfog/visual_threshold.h"
 #include "render/airlight/airlight_bound.h"
 #include "render/light/hidden_range.h"
 #include "render/plan/fog_top.h"
@@ -81,6 +83,12 @@ double FramePlanner::sky_brightness() const {
   const double moon = environment.has_moon() ? 1.05 : 0;  // shaders/night_sky.glsl
   return std::max(largest_component(environment.sky_zenith), largest_component(environment.sky_horizon)) +
          double(environment.star_brightness) + moon;
+}
+
+double FramePlanner::least_seen() const {
+  if (!settings_.has_eye_threshold) return 0;
+  const double background = luminance(atmosphere_.ambient_fog_color);
+  return illuminance_threshold(background * kWhiteLux / std::numbers::pi) / kWhiteLux;
 }
 
 double FramePlanner::airlight_end_from(const glm::dvec3& eye, double budget) const {
@@ -193,7 +201,8 @@ void FramePlanner::plan_visible(const FrameView& view) {
                                         .forward = axes_of(view.camera).forward,
                                         .frustum = frustum,
                                         .field_of_view = double(view.camera.field_of_view),
-                                        .height = view.picture_size.y},
+                                        .height = view.picture_size.y,
+                                        .least_seen = least_seen()},
                                        kPointShare * step_);
   add_points(points);
 
@@ -211,9 +220,8 @@ void FramePlanner::plan_visible(const FrameView& view) {
     if (each.nearest >= each.hidden_range) continue;
     hidden_from = std::max(hidden_from, std::min(each.farthest, each.hidden_range) * kRounding);
   }
-  const double left_out_from =
-      std::max({hidden_from, sky_range, airlight_end_from(view.camera.position, kBehindShare * step_),
-                points.hidden_by});
+  const double left_out_from = std::max(
+      {hidden_from, sky_range, airlight_end_from(view.camera.position, kBehindShare * step_), points.hidden_by});
   const double highest_left_out = slope_in_fog(fog_above_eye, left_out_from);
   const bool hides = settings_.path->has_light_bound && settings_.papers.light_ambient == 0;
   for (const SurfaceInView& each : in_view) {

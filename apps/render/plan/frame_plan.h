@@ -61,9 +61,9 @@ struct FrameExposures {
 struct FrameView {
   scene::Camera camera;  ///< relative to SceneLights::origin(), as are the matrix and the slope
   glm::mat4 clip_from_world;
-  double highest_slope;       ///< largest y of a unit direction from the eye into the picture
-  glm::ivec2 picture_size;    ///< pixels
-  double pixels_per_radian;   ///< at the picture's middle
+  double highest_slope;      ///< largest y of a unit direction from the eye into the picture
+  glm::ivec2 picture_size;   ///< pixels
+  double pixels_per_radian;  ///< at the picture's middle
   FrameExposures exposures;
 
   friend bool operator==(const FrameView&, const FrameView&) = default;
@@ -130,6 +130,8 @@ class FramePlanner {
   double hidden_range_of(std::size_t surface);
   /// Whether carried lights can light the fog by their intensity on a ray through the surface, from a range on.
   bool can_be_lit_from(const glm::dvec3& eye, const Surface& surface, double range) const;
+  /// PointView's.
+  double least_seen() const;
   double airlight_end_from(const glm::dvec3& eye, double budget) const;
   double sky_brightness() const;
   /// Appends a surface's lights to the plan's list except those that fog hides.

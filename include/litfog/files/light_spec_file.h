@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
@@ -14,6 +13,7 @@
 #include "litfog/files/output_error.h"
 #include "litfog/flash.h"
 #include "litfog/input_error.h"
+#include "litfog/visual_threshold.h"
 
 namespace litfog {
 
@@ -63,22 +63,6 @@ namespace litfog {
 ///
 /// It has a range, a cone or both. JSON of at most 64 MiB. Nothing here depends on the locale.
 // clang-format on
-
-/// The illuminance at the eye from which a light is just seen, a name for "end_lx".
-struct VisualThreshold {
-  std::string_view name;
-  double illuminance;  ///< lux
-  std::string_view source;
-};
-
-/// The pilot's thresholds are those in use for runway visual range, quoted at second hand, not from the Annex's text.
-inline constexpr std::array<VisualThreshold, 5> kVisualThresholds{{
-    {"dark night", 2e-7, "what a mariner sees by night, 33 CFR 84.14"},
-    {"night", 8e-7, "what a pilot sees by night, commonly given after ICAO Annex 3, attachment D"},
-    {"twilight", 1e-5, "what a pilot sees in twilight, commonly given after ICAO Annex 3, attachment D"},
-    {"day", 1e-4, "what a pilot sees by day, commonly given after ICAO Annex 3, attachment D"},
-    {"bright day", 1e-3, "what a pilot sees on a bright day, commonly given after ICAO Annex 3, attachment D"},
-}};
 
 /// The member "range".
 struct RangeSpec {
