@@ -125,7 +125,7 @@ std::vector<drawing::SheetEntry> draw_row(const Row& row, const drawing::Drawing
     const drawing::Display display =
         drawing::set_fog_and_exposure(renderer, at_visibility(options, visibility)).display;
     renderer.draw();
-    const render::Picture drawn = renderer.read();
+    const render::Picture drawn = drawing::whole_light(renderer, renderer.read());
     const double seconds = timer.seconds();
     std::vector<std::string> caption{
         std::isinf(visibility) ? row.title + ", clear air" : fmt::format("{}, visibility {} m", row.title, visibility)};

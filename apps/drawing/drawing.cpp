@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "command/progress.h"
 #include "litfog/gl/headless_context.h"
@@ -33,6 +34,10 @@ DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& 
   return {.display = display, .visibility = visibility};
 }
 
+render::Picture whole_light(render::Renderer& renderer, render::Picture light) {
+  return is_cut_off(light) ? renderer.draw_in_floats() : std::move(light);
+}
+
 Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference,
            bool has_statistics, bool in_floats) {
   const gl::HeadlessContext context;
@@ -55,8 +60,11 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
       .gl_version = context.version()};
   if (has_statistics) drawn.statistics = renderer.draw_and_measure();
   if (has_reference) drawn.comparison = measure::compare_with_reference(renderer, show);
-  drawn.picture = drawn.comparison ? drawn.comparison->drawn : renderer.read();
-  if (in_floats || is_cut_off(drawn.picture)) drawn.picture = renderer.draw_in_floats();
+  if (in_floats) {
+    drawn.picture = renderer.draw_in_floats();
+  } else {
+    drawn.picture = whole_light(renderer, drawn.comparison ? drawn.comparison->drawn : renderer.read());
+  }
   return drawn;
 }
 

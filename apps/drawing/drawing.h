@@ -38,6 +38,13 @@ struct DrawnFor {
 /// of the light before the eye's glare.
 DrawnFor set_fog_and_exposure(render::Renderer& renderer, const DrawingOptions& options);
 
+/// The light of a renderer's last frame, drawn again in floats where half floats cut it off: glare shows how bright a
+/// lamp is.
+///
+/// light   as the renderer has drawn it
+/// throws  gl::Unsupported where the driver has no float framebuffer of that size
+render::Picture whole_light(render::Renderer& renderer, render::Picture light);
+
 /// Draws and times a scene. Throws gl::Unsupported if this machine cannot.
 ///
 /// frames          to time, >= 1

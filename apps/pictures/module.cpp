@@ -117,8 +117,10 @@ Drawn draw(const CLI::App& app, const drawing::SceneOptions& scene_options, cons
   render::Renderer renderer(scene, options.width, options.height, options.settings_of(*options.render.path));
   const auto [display, visibility] = drawing::set_fog_and_exposure(renderer, options);
   renderer.draw();
-  Drawn drawn{.light = renderer.read(), .shown = {}, .visibility = visibility, .exposure = display.exposure.ev};
-  if (is_cut_off(drawn.light)) drawn.light = renderer.draw_in_floats();
+  Drawn drawn{.light = drawing::whole_light(renderer, renderer.read()),
+              .shown = {},
+              .visibility = visibility,
+              .exposure = display.exposure.ev};
   drawn.shown = drawing::shown_pixels(drawing::displayed(drawn.light, scene.camera, display));
   return drawn;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "command/wall_timer.h"
+#include "drawing/drawing.h"
 #include "drawing/picture_file.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/gl/unsupported.h"
@@ -52,7 +53,10 @@ class KeptRenderer {
     const command::WallTimer timer;
     drawn.counts = renderer_->draw();
     drawn.milliseconds = timer.milliseconds();
-    drawn.shown = drawing::displayed(renderer_->read(), camera_, drawn.display);
+    renderer_->interrupt_when({});  // which would leave it drawing in floats
+    render::Picture light = renderer_->read();
+    if (!is_sketch) light = drawing::whole_light(*renderer_, std::move(light));
+    drawn.shown = drawing::displayed(light, camera_, drawn.display);
     drawn.pixels = drawing::shown_pixels(drawn.shown);
     return drawn;
   }

@@ -11,6 +11,7 @@
 #include "command/standard_output.h"
 #include "demo/compare/comparison_page.h"
 #include "drawing/contact_sheet.h"
+#include "drawing/drawing.h"
 #include "drawing/heat_map.h"
 #include "drawing/picture_folder.h"
 #include "files/whole_file.h"
@@ -134,6 +135,7 @@ SceneResult compare_scene(const scene::Scene& scene, drawing::PictureFolder& pic
   Sheet sheet;
   for (std::size_t i = 0; i < paths.size(); ++i) {
     const measure::Comparison comparison = measure::compare_with_reference(*renderers[i], progress);
+    const render::Picture drawn = drawing::whole_light(*renderers[i], comparison.drawn);
     renderers[i].reset();
     const render::Picture reference = drawing::displayed(comparison.reference, scene.camera, displays[i]);
     if (i == 0) {
@@ -142,7 +144,7 @@ SceneResult compare_scene(const scene::Scene& scene, drawing::PictureFolder& pic
     }
     result.paths.push_back(result_of(paths[i], times[i], times[legacy], comparison.error));
     show_path(result, result.paths.back(), comparison.error, reference,
-              drawing::displayed(comparison.drawn, scene.camera, displays[i]), pictures, sheet);
+              drawing::displayed(drawn, scene.camera, displays[i]), pictures, sheet);
   }
   pictures.write(result.sheet_file(), sheet.picture());
   return result;

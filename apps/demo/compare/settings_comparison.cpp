@@ -250,7 +250,9 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
   std::vector<render::Picture> pictures;
   std::vector<SettingResult> results;
   for (std::size_t i = 0; i < settings.size(); ++i) {
-    pictures.push_back(drawing::displayed(renderers[i].renderer->read(), scenes[i].camera, renderers[i].display));
+    render::Renderer& renderer = *renderers[i].renderer;
+    pictures.push_back(
+        drawing::displayed(drawing::whole_light(renderer, renderer.read()), scenes[i].camera, renderers[i].display));
     results.push_back({.text = settings[i].text,
                        .milliseconds = times[i].median(),
                        .spread = times[i].spread(),

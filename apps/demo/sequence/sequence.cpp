@@ -14,6 +14,7 @@
 #include "command/standard_output.h"
 #include "command/wall_timer.h"
 #include "demo/sequence/animation.h"
+#include "drawing/drawing.h"
 #include "drawing/picture_folder.h"
 #include "files/whole_file.h"
 #include "litfog/input_error.h"
@@ -283,7 +284,7 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const drawing:
     }
     renderer.draw();
     const std::string& file = frame_files[std::size_t(frame)];
-    pictures.write(file, drawing::displayed(renderer.read(), scene.camera, display));
+    pictures.write(file, drawing::displayed(drawing::whole_light(renderer, renderer.read()), scene.camera, display));
     command::report(fmt::format("{}: {}, drawn in {:.2f} s\n", pictures.path_of(file), sequence.text(frame),
                                 frame_timer.seconds()));
   }
