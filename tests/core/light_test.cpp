@@ -55,7 +55,10 @@ TEST(Light, FlashThatNoLampHasOrNoColourHoldsIsAnError) {
             }),
             "color = inf: must be finite in each flash");
   EXPECT_TRUE(error_after([&](Light& l) {
-                l = {.color = {1e303, 0, 0}, .attenuation = {1, 0, 1}, .source_radius = 0.1, .flash = flash};
+                l.attenuation.quadratic = 1;
+                l.source_radius = 0.1;
+                l.color.r = 1e301;
+                l.flash = flash;
               }).starts_with("source_radius = 0.1: must leave color"));
   flash.period = 0;
   EXPECT_EQ(error_after([&](Light& l) { l.flash = flash; }), "flash.period = 0: must be in (0, 3600]");

@@ -108,9 +108,9 @@ TEST(LightFile, WrongMemberIsAnErrorAtItsLocationInTheFilesTerms) {
   EXPECT_EQ(with_flash(R"({"start_s": 0, "duration_s": 1}, {"start_s": 0.5, "duration_s": 1})"),
             "f:2:83: flash.flashes[1].start_s = 0.5: must be >= 0 and not before the end of the flash before it");
   EXPECT_EQ(with_flash(R"({"start_s": 1.5, "duration_s": 0.6})"),
-            "f:2:68: flash.flashes[0].duration_s = 0.6: must end within the period");
+            "f:2:69: flash.flashes[0].duration_s = 0.6: must end within the period");
   EXPECT_EQ(with_flash(R"({"start_s": 0, "duration_s": 1, "intensity": 0})"),
-            "f:2:82: flash.flashes[0].intensity = 0: must be in (0, 1e6]");
+            "f:2:83: flash.flashes[0].intensity = 0: must be in (0, 1e6]");
   EXPECT_EQ(with_flash(R"({"start_s": 0})"), "f:2:38: flash.flashes[0].duration_s: must be given");
   EXPECT_EQ(with(R"("source": [1])"), "f:2:12: source[0] = 1: must be a string");
   EXPECT_EQ(with(R"("name": 1)"), "f:2:9: name = 1: must be a string");
