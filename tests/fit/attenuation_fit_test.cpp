@@ -257,7 +257,9 @@ TEST(AttenuationFit, LightOfAnEndHasItsCandelaAndItsIlluminanceThere) {
     const double threshold = random.chance(0.5) ? kDefaultThreshold : random.log_uniform(1e-6, 0.99);
     const auto [size, extent] = compute_end(peak, lux, threshold);
     const AttenuationTarget target{.threshold = threshold, .extent = extent};
-    const Light light{.color = {size, 0, 2 * size}, .attenuation = fit_attenuation(target).attenuation};
+    Light light;
+    light.color = {size, 0, 2 * size};
+    light.attenuation = fit_attenuation(target).attenuation;
     error.add(std::abs(candela(light).r / peak - 1), [&] { return describe(target); });
     EXPECT_NEAR(kWhiteLux * size * attenuation_at(light.attenuation, extent) / lux, 1, 1e-13);
   }
