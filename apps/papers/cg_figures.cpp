@@ -121,7 +121,6 @@ Rows cg_figures(const FigurePainter& painter) {
                     {"exercise 4: V always (0, 0, 1)", "infinite viewer"})});
   Scene metal = figure(drum(64), {});
   metal.materials.clear();
-  metal.environment.ambient_light = {};
   metal.models[0][0].material = "galvanised";
   scene::add_materials(metal);
   Scene metal_ball = metal;

@@ -81,7 +81,7 @@ Scene figure(scene::Mesh mesh, const Finish& finish) {
                              .emissive = finish.emissive,
                              .plain_albedo = finish.diffuse,
                              .ambient = finish.ambient});
-  scene.environment.ambient_light = glm::vec3(1.0f);
+  scene.environment.ambient_light = glm::vec3(finish.ambient == glm::vec3(0.0f) ? 0.0f : 1.0f);
   scene::compute_tangents(mesh);
   scene.models.push_back({{"figure", std::move(mesh)}});
   scene.instances.push_back({0, glm::mat4(1)});

@@ -52,7 +52,7 @@ PlacedLight lamp(const glm::dvec3& position, const Attenuation& attenuation, con
 
 /// What the figures' objects are made of.
 struct Finish {
-  glm::vec3 ambient{0.0f};  ///< Ka; globalAmbient is 1
+  glm::vec3 ambient{0.0f};  ///< Ka; globalAmbient is 1 where this is not 0
   glm::vec3 diffuse{0.0f};
   glm::vec3 specular{0.0f};
   float shininess = 1;

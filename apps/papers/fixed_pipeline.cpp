@@ -81,6 +81,9 @@ void set_lamp(GLenum light, const PlacedLight& lamp) {
   glLightfv(light, GL_SPOT_DIRECTION, glm::value_ptr(glm::vec3(lamp.direction)));
 }
 
+constexpr GLenum kArrays[] = {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY};
+constexpr GLenum kStates[] = {GL_TEXTURE_2D, GL_LIGHTING, GL_FOG, GL_NORMALIZE};
+
 /// A part of a model on the GPU.
 struct Part {
   gl::BufferName vertices, indices;
@@ -137,14 +140,14 @@ class Pipeline {
     set_fog();
     glActiveTexture(GL_TEXTURE0);
     glEnable(GL_TEXTURE_2D);
-    for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY}) glEnableClientState(array);
+    for (const GLenum array : kArrays) glEnableClientState(array);
     for (const scene::Instance& instance : scene_.instances) {
       glMatrixMode(GL_MODELVIEW);
       glLoadMatrixf(glm::value_ptr(view_from_world * glm::mat4(instance.world_from_model)));
       for (const Part& part : models_[instance.model]) draw_part(part);
     }
-    for (const GLenum array : {GL_VERTEX_ARRAY, GL_NORMAL_ARRAY, GL_TEXTURE_COORD_ARRAY}) glDisableClientState(array);
-    for (const GLenum state : {GL_TEXTURE_2D, GL_LIGHTING, GL_FOG, GL_NORMALIZE}) glDisable(state);
+    for (const GLenum array : kArrays) glDisableClientState(array);
+    for (const GLenum state : kStates) glDisable(state);
     render::end_depths();
     framebuffer_.resolve();
     glFinish();

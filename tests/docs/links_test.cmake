@@ -4,7 +4,7 @@
 cmake_minimum_required(VERSION 3.25)
 string(REPLACE "|" ";" pages "${PAGES}")
 set(count 0)
-file(GLOB_RECURSE shaders ${ROOT}/include/*.glsl ${ROOT}/apps/render/shaders/*)
+file(GLOB_RECURSE shaders ${ROOT}/include/*.glsl ${ROOT}/apps/render/shaders/* ${ROOT}/apps/papers/shaders/*)
 file(GLOB_RECURSE sources ${ROOT}/apps/render/*.cpp ${ROOT}/apps/render/*.h)
 set(made "")
 foreach(source IN LISTS sources)

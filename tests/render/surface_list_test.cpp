@@ -77,7 +77,7 @@ double most_left_out(const SurfaceList& list, const SceneLights& lights) {
     const std::span<const std::int32_t> listed = list.lights_of(surface);
     double left_out = 0;
     for (std::size_t i = 0; i < lights.local_count(); ++i) {
-      if (std::ranges::find(listed, std::int32_t(i)) != listed.end()) continue;
+      if (std::ranges::binary_search(listed, std::int32_t(i))) continue;
       const PlacedLight& lamp = lights.lights()[i];
       const double range = nearest_distance(lamp.position, surface.bounds);
       if (range < list.range_of(lights.extents()[i])) continue;  // its cone misses the surface
