@@ -645,7 +645,8 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   // over as little as the offset.
   LITFOG_REAL denominator = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic);
   LITFOG_REAL doubled = litfog_airlight_level(air, LITFOG_REAL(2.0) * max(LITFOG_REAL(1.0), denominator));
-  LITFOG_REAL width = min(litfog_airlight_chord(air, doubled), max(air.offset, LITFOG_REAL(2.0) * fog_scale));
+  LITFOG_REAL falloff = min(litfog_airlight_chord(air, doubled), max(air.offset, LITFOG_REAL(2.0) * fog_scale));
+  LITFOG_REAL width = falloff;
   if (!litfog_is_isotropic(air.phase)) width = min(width, max(air.offset, LITFOG_REAL(2.0e-3) * fog_scale));
   if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) width = min(width, max(air.offset, LITFOG_REAL(0.01) * width));
 
@@ -663,7 +664,7 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   }
   if (litfog_has_cone(air.profile) && !crosses) {
     beam_width = clamp(beam_width, LITFOG_REAL(0.25) * air.offset, LITFOG_REAL(2.0) * air.offset);
-    width = min(width, max(beam_width, LITFOG_REAL(0.01) * width));
+    width = min(width, max(beam_width, LITFOG_REAL(0.01) * falloff));
   }
   LITFOG_REAL border = crosses ? LITFOG_REAL(0.5) * crossing : LITFOG_REAL(0.0);
 
