@@ -26,10 +26,9 @@ Scene lamp_at(const glm::dvec3& position, double source_radius) {
   Scene scene;
   scene.camera = {.position = {0, 2, 0}, .target = {0, 2, -10}, .field_of_view = 1.0f};
   PlacedLight lamp;
-  lamp.light = {.name = "lamp",
-                .color = {1, 0.5, 0.25},
-                .attenuation = {1, 0, kWhiteLux / kCandela},
-                .source_radius = source_radius};
+  lamp.light.color = {1, 0.5, 0.25};
+  lamp.light.attenuation = {1, 0, kWhiteLux / kCandela};
+  lamp.light.source_radius = source_radius;
   lamp.position = scene.camera.position + position;
   scene.lights.push_back(lamp);
   return scene;
