@@ -212,8 +212,9 @@ TEST(LightFile, FileNeedsItsHeaderAndLendsItsName) {
 class ShippedLights : public testing::Test {
  protected:
   ShippedLights() {
-    for (const auto& entry : std::filesystem::directory_iterator(LITFOG_DATA_DIR "/lights"))
-      paths_.insert(entry.path());
+    for (const auto& entry : std::filesystem::directory_iterator(LITFOG_DATA_DIR "/lights")) {
+      if (entry.path().extension() == ".json") paths_.insert(entry.path());
+    }
   }
   std::set<std::filesystem::path> paths_;
 };

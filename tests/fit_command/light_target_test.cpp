@@ -288,7 +288,7 @@ TEST_F(LightTargetFile, WrongMemberIsAnErrorAtItsLocation) {
   EXPECT_EQ(error_with("\"name\": \"x\""), "f.json:1:1: range or cone: must be given");
   EXPECT_EQ(error_with("\"beam\": 1"),
             "f.json:2:1: \"beam\": must be one of litfog, version, name, source, color, color_temperature_k, "
-            "density_scale, source_radius_m, range, cone");
+            "density_scale, source_radius_m, flash, range, cone");
   EXPECT_EQ(error_with("\"color\": [1, -1, 1], \"range\": {\"extent_m\": 1}"),
             "f.json:2:14: color[1] = -1: must be finite and >= 0");
   EXPECT_EQ(error_with("\"density_scale\": -1, \"range\": {\"extent_m\": 1}"),
