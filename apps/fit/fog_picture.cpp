@@ -17,7 +17,7 @@ namespace {
 
 constexpr double kEyeDistance = 30;     // metres from the beam
 constexpr double kLampPosition = 0.15;  // fraction of the width, from the left
-constexpr double kExposure = 4;         // 2 EV
+constexpr double kExposure = 16;        // 4 EV
 constexpr int kGap = 2;                 // pixels between the views
 constexpr int kViews = int(kFogPictureVisibilities.size());
 constexpr int kRowPixels = kViews * kFogPictureWidth + (kViews - 1) * kGap;

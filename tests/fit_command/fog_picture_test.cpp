@@ -57,11 +57,11 @@ TEST(FogPicture, ViewIsTheAirlightThatAnEyeBesideTheBeamSees) {
       const glm::dvec3 eye{14, 0, 30};
       const PlacedLight placed{.light = spot(), .position = {}, .direction = {1, 0, 0}};
       const EyeRay ray{.origin = eye, .direction = glm::normalize(point - eye)};
-      const double expected = 4 * reference_airlight(placed, {fog}, ray);
+      const double expected = 16 * kAirlightUnit * reference_airlight(placed, {fog}, ray);
       const int column = int(view) * (kFogPictureWidth + 2) + x;
       double fast;
       airlight(placed, {fog}, {&ray, 1}, LampLeg::fogged, {&fast, 1});
-      fast = std::min(1.0, 4 * fast);
+      fast = std::min(1.0, 16 * kAirlightUnit * fast);
       EXPECT_NEAR(picture.at(column, y), fast, 0.005 * std::sqrt(fast) + 0.0002) << "half a step of sRGB";
       // Airlight's error times the exposure, and a step of sRGB.
       EXPECT_NEAR(picture.at(column, y), std::min(1.0, expected), 4 * kAirlightMaxError + 0.01) << x << " " << y;
