@@ -13,19 +13,17 @@ uniform vec3 eye;
 layout(location = 0) out vec4 airlight;
 layout(location = 1) out vec4 gain;  // derivative of airlight by the fog's opacity, at the end of the ray
 
-// Largest difference of opacity between samples that share an airlight: half a step of the display for a lamp as bright
-// as white. Brighter lamps are shown at less exposure.
-const float most_equal_opacities = 0.002;
-// Largest difference of airlight, by the opacity's largest gain, between samples that share an airlight.
-const float most_equal_airlights = 0.0006;
+// Largest difference of airlight as shown, by the opacity's largest gain, between samples that share an airlight: half a
+// step of the display where the gain is 1 or more.
+const float most_equal_bright = 0.002;
+const float most_equal_dim = 0.0006;
 
-// Upper bound of the gain, airlight per opacity of the fog, for a ray that ends between two ranges, of a light as
-// bright as white or darker.
+// Upper bound of the gain, airlight per opacity of isotropic fog, for a ray that ends between two ranges.
 float largest_gain(LitfogLight light, vec3 direction, float nearest, float farthest) {
   vec3 to_light = light.position_extent.xyz - eye;
   float range = distance(direction * clamp(dot(to_light, direction), nearest, farthest), to_light);
-  vec3 color = min(litfog_airlight_unit * light.color_intensity.rgb, vec3(1.0));
-  return max(max(color.r, color.g), color.b) *
+  vec3 color = light.color_intensity.rgb;
+  return litfog_airlight_unit * max(max(color.r, color.g), color.b) *
          litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
 }
 
@@ -95,9 +93,9 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
   light.color_intensity.rgb *= fraction;
   LitfogLight shown = light;  // decides the number of nodes: what adds little to the display needs few
   shown.color_intensity.rgb *= shown_exposure;
-  float equal_opacities =
-      max(most_equal_opacities, most_equal_airlights / largest_gain(light, direction, seen.x, seen.w)) /
-      (max(shown_exposure, 1.0) * largest_phase(light, direction, seen.x, seen.w));
+  float gain_shown = shown_exposure * largest_phase(light, direction, seen.x, seen.w) *
+                     largest_gain(light, direction, seen.x, seen.w);
+  float equal_opacities = max(min(most_equal_bright, most_equal_bright / gain_shown), most_equal_dim / gain_shown);
   vec3 sum = vec3(0.0);
   int first = 0;
   do {
