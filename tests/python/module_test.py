@@ -496,16 +496,19 @@ class UpdaterTest(unittest.TestCase):
         self.assertEqual(kinds[kind]["cone_scale_intensity"][3], np.float32(solved.intensity))  # the same view
         self.assertEqual((updater.statistics.kinds_solved, updater.statistics.bytes_dirty), (1, 32))
 
-        self.lamp.flash = litfog.Flash(2, [(0.5, 0.25, 5)])
-        updater.change(handle, litfog.PlacedLight(self.lamp, carried=True))
-        updater.set_time(0.5)
-        updater.set_fog(thicker)
-        self.assertEqual(updater.instances[updater.instance_of(handle)]["color"][0], 5 * self.lamp.color[0])
-        self.assertEqual(list(litfog.flash_at(self.lamp.flash, np.array([0, 0.5, 0.75, 2.5]))), [0, 5, 0, 5])
-
         updater.switch_light(other, False)
         changes = updater.set_fog(thicker)
         self.assertEqual(list(instances[changes.instances[0]][0]["color"][:3]), [0, 0, 0])
+
+    def test_lights_flash_by_the_time(self):
+        flash = litfog.Flash(2, [(0.5, 0.25, 5)])
+        self.assertEqual(list(litfog.flash_at(flash, np.array([0, 0.5, 0.75, 2.5]))), [0, 5, 0, 5])
+        updater = litfog.FogUpdater()
+        updater.add(litfog.PlacedLight(litfog.Light(flash=flash)))
+        for seconds, red in ((0, 0), (0.5, 5), (1, 0)):
+            updater.set_time(seconds)
+            updater.set_fog(litfog.Fog(density=0.003))
+            self.assertEqual(updater.instances[0]["color"][0], red)
 
     def test_tables_do_not_move_while_views_exist_and_live_as_long_as_these(self):
         updater = litfog.FogUpdater()
