@@ -971,9 +971,10 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
   } sequences[] = {
       {"--visibility 100..1", "--visibility 1"},
       {"--visibility 30,20,4 --contrast 0.01 --time 0..2", "--visibility 4 --contrast 0.01 --time 2"},
-      {"--set 'lights[1].flash={\"period_s\":2,\"flashes\":[{\"start_s\":0,\"duration_s\":0.4},"
+      {"--set 'lights[1].light.flash={\"period_s\":2,\"flashes\":[{\"start_s\":0,\"duration_s\":0.4},"
        "{\"start_s\":1,\"duration_s\":0.5,\"intensity\":3}]}' --time 0..1",
-       "--set 'lights[1].flash={\"period_s\":1,\"flashes\":[{\"start_s\":0,\"duration_s\":1,\"intensity\":3}]}' --time "
+       "--set 'lights[1].light.flash={\"period_s\":1,\"flashes\":[{\"start_s\":0,\"duration_s\":1,\"intensity\":3}]}' "
+       "--time "
        "1"},
       {"--set lights[0].threshold=0.1..0.3 --set lights[1].carried=false --camera 0,1,5..1,1,6",
        "--set lights[0].threshold=0.3 --set lights[1].carried=false --camera 1,1,6"},
