@@ -22,6 +22,7 @@ def render(
     scene: str | os.PathLike[str],
     *,
     set: Mapping[str, Any] | None = None,
+    lamps_only: bool = False,
     lights: int | None = None,
     camera: _Point | None = None,
     target: _Point | None = None,

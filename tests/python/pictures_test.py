@@ -157,7 +157,7 @@ class PicturesTest(unittest.TestCase):
         keywords = {keyword.arg for keyword in function.args.kwonlyargs}
         text = subprocess.run([demo_command, "--help"], check=True, capture_output=True, text=True).stdout
         options = set(re.findall(r"^  (?:-\w,)?--([a-z-]+)", text, re.MULTILINE))
-        not_of_pictures = {"help", "version", "output", "frames", "reference", "heat-map", "stats"}
+        not_of_pictures = {"help", "version", "output", "frames", "reference", "heat-map", "stats", "exr", "sort-polygons"}
         self.assertLess(not_of_pictures, options)
         self.assertEqual(keywords, {option.replace("-", "_") for option in options - not_of_pictures})
 

@@ -36,6 +36,15 @@ package Litfog is
       Profile                             : Cone_Profile;
       Half_Angle, Exponent, Inner, Outer : Real;
    end record with Convention => C;
+   type Single_Flash is record
+      Start, Duration, Intensity : Real;
+   end record with Convention => C;
+   type Single_Flashes is array (1 .. 8) of Single_Flash with Convention => C;
+   type Flash is record
+      Period  : Real;
+      Count   : size_t;
+      Flashes : Single_Flashes;
+   end record with Convention => C;
    type Light is record
       Color         : Vector;
       Falloff       : Attenuation;
@@ -43,6 +52,7 @@ package Litfog is
       Beam          : Cone;
       Density_Scale : Real;
       Source_Radius : Real;
+      Flashing      : Flash;
    end record with Convention => C;
    type Placed_Light is record
       Kind                : Light;

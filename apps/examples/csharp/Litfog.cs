@@ -28,6 +28,17 @@ public static class Litfog
     public struct Cone { public ConeProfile Profile; public double HalfAngle, Exponent, Inner, Outer; }
 
     [StructLayout(LayoutKind.Sequential)]
+    public struct SingleFlash { public double Start, Duration, Intensity; }
+
+    [StructLayout(LayoutKind.Sequential)]
+    public struct Flash
+    {
+        public double Period;
+        public UIntPtr Count;
+        public SingleFlash First, Second, Third, Fourth, Fifth, Sixth, Seventh, Eighth;
+    }
+
+    [StructLayout(LayoutKind.Sequential)]
     public struct Light
     {
         public Vector Color;
@@ -35,6 +46,7 @@ public static class Litfog
         public double Threshold;
         public Cone Cone;
         public double DensityScale, SourceRadius;
+        public Flash Flash;
     }
 
     [StructLayout(LayoutKind.Sequential)]

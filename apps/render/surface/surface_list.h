@@ -66,7 +66,7 @@ class SurfaceList {
   /// ends, their reach is the largest of kReaches that keeps all lists together short enough: infinity where surfaces
   /// times lights are some millions or fewer. By a finite reach no surface lacks more in clear air than the sum over
   /// the lights beyond it of colour times attenuation at the surface's nearest point: in `approach` (1148 lights, 16)
-  /// 0.5/255 of white, in `city` (400 lights, 8) 3.3/255 (surface_list_test.cpp). As drawn, pictures at 16 err by up
+  /// 0.5/255 of white, in `city` (400 lights, 8) 3.7/255 (surface_list_test.cpp). As drawn, pictures at 16 err by up
   /// to 0.3 steps of 1/255, at 1 by 35 (`city`) and 8.9.
   ///
   /// throws  gl::Unsupported like the constructor
