@@ -95,7 +95,9 @@ Rows cg_figures(const FigurePainter& painter) {
   rows.push_back(lit_at_vertices(painter));
   const Scene coarse = figure(drum(10), {ka, kd, ks, 40});
   Scene tessellation = scene::read_scene(scene::bundled_scene_path("tessellation"));
-  tessellation.camera = {.position = {-1.25f, 2.2f, 9.5f}, .target = {-1.25f, 2.2f, 0}, .field_of_view = 0.47f};
+  tessellation.camera = {.position = {-1.25f, 2.25f, 9.5f}, .target = {-1.25f, 2.25f, 0}, .field_of_view = 0.54f};
+  std::erase_if(tessellation.instances,
+                [](const scene::Instance& instance) { return std::abs(instance.world_from_model[3].x + 1.25) > 3; });
   rows.push_back({painter.draw(coarse, along("vertex"), {"figure 5-17, left: per vertex"}),
                   painter.draw(coarse, along("mixed"), {"exercise 6: specular per fragment"}),
                   painter.draw(coarse, along("unified"), {"figure 5-17, right: per fragment"}),
