@@ -50,7 +50,8 @@ struct Surface {
   int list_count;
 };
 
-/// The surfaces of a scene, sorted by material. Needs a current GL context.
+/// The surfaces of a scene, sorted by material, so that OpenGL changes its state least; EarlyRejection has other
+/// orders. Needs a current GL context.
 class SurfaceList {
  public:
   /// throws  gl::Unsupported where this OpenGL cannot hold the light lists; std::invalid_argument where the scene lacks
