@@ -167,7 +167,7 @@ def rejection():
             before = one(rows, scene=scene, lights=2, samples=1, rejection="none")
             layers = [f"{row['layers_passed']:.2f}" for row in (before, by[0])]
             lines.append([scene, rejection, *layers, *(f"{row['ratio_to_none']:.2f}" for row in by)])
-    return table(["scene", "rejection", "layers that pass, by material", "so", "time, 1 sample, 2 lights", "16 lights",
+    return table(["scene", "rejection", "layers that pass, by material", "by this", "time, 1 sample, 2 lights", "16 lights",
                   "4 samples, 2 lights", "16 lights"], lines, ("llvmpipe-rejection", rows[0]))
 
 

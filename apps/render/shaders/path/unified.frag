@@ -9,9 +9,9 @@
 //
 // A shader is compiled for its number of lights, and the loop over a light list ends with the list; nested.frag has his
 // nested ifs instead (listings 3.1 and 3.2). object_space.frag has normal maps in object space, parallax.frag parallax
-// mapping, lacroix.frag his equations without clamp and end. "Early rejection is key": a pass of depths and sorting from
-// front to back pay on no driver measured so far (EarlyRejection; docs/performance.md), so that surfaces stay sorted by
-// material.
+// mapping, lacroix.frag his equations without clamp and end. "Early rejection is key": on llvmpipe a pass of depths pays
+// with many lights and one sample a pixel alone, sorting from front to back hardly ever (EarlyRejection;
+// docs/performance.md), so that surfaces stay sorted by material.
 
 #include "depth_test.glsl"
 #include "lit_surface.glsl"
