@@ -50,8 +50,9 @@ void add_changes(CLI::App& app, SceneOptions& options) {
          "lights[0].attenuation.quadratic=0.002 (see litfog-demo list lights SCENE); may be given again")
       ->type_name("MEMBER=VALUE")
       ->allow_extra_args(false);
-  app.add_flag("--lamps-only", options.is_lit_by_lamps_alone,
-               "Leave out what lights the scene besides its lamps: ambient light, sky, stars, moon, the fog's own colour");
+  app.add_flag(
+      "--lamps-only", options.is_lit_by_lamps_alone,
+      "Leave out what lights the scene besides its lamps: ambient light, sky, stars, moon, the fog's own colour");
 }
 
 void add_city_lights(CLI::App& app, SceneOptions& options) {

@@ -67,7 +67,8 @@ class Renderer {
   void set_atmosphere(const Atmosphere& atmosphere);
   /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is
   /// left out; frames themselves are not exposed. An automatic exposure is that of a frame in the present fog without
-  /// the lamps' points, drawn for it as for the largest exposure. By airlight an exposure above 0 EV moves the lights' ends outwards.
+  /// the lamps' points, drawn for it as for the largest exposure. By airlight an exposure above 0 EV moves the lights'
+  /// ends outwards.
   ///
   /// returns  the exposure used
   Exposure set_exposure(const Exposure& exposure);

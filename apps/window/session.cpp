@@ -75,8 +75,7 @@ PictureOrder Session::order(int width, int height, bool is_sketch) const {
 }
 
 DrawingCommand Session::command(std::size_t which, int width, int height) const {
-  DrawingCommand command{given_.scene, settings[which], own_camera(), changes(),
-                         given_.is_lit_by_lamps_alone};
+  DrawingCommand command{given_.scene, settings[which], own_camera(), changes(), given_.is_lit_by_lamps_alone};
   command.options.width = width;
   command.options.height = height;
   return command;

@@ -471,11 +471,10 @@ TEST(Airlight, FastFormHasItsStatedErrorsForPhotometricLamps) {
   Random random(40);
   for (const double g : {0.0, 0.5, 0.9}) {
     for (const FogMode mode : kModes) {
-      const double bound = mode == FogMode::exp ? kPhotometricAirlightMaxError : kExp2PhotometricAirlightMaxError;
       for (const bool is_spot : {false, true}) {
         char what[128];
         std::snprintf(what, sizeof what, "photometric %s, %s, g = %g", is_spot ? "spots" : "points", name_of(mode), g);
-        WorstError error("airlight", what, bound, "of the airlight");
+        WorstError error("airlight", what, kPhotometricAirlightMaxError, "of the airlight");
         std::vector<double> relative;
         for (int i = 0; i < kRays; ++i) {
           AirlightCase c = draw_photometric_airlight_case(random, mode, random.pick(kLampLegs));

@@ -49,7 +49,8 @@ TEST_F(SurfaceShader, LitSurfaceIsTheBasicModels) {
   });
   for (std::size_t k = 0; k < lights_.size(); ++k) {
     const auto results = draw(
-        "LitfogSurface surface = LitfogSurface(given(0).xyz, given(1).xyz, given(2).xyz, vec3(9.0), vec3(9.0), vec3(0.5, 0.25, "
+        "LitfogSurface surface = LitfogSurface(given(0).xyz, given(1).xyz, given(2).xyz, vec3(9.0), vec3(9.0), "
+        "vec3(0.5, 0.25, "
         "0.125), "
         "vec3(0.25, 0.5, 0.75), 8.0); result = vec4(litfog_light_surface(surface, litfog_block_light(" +
             std::to_string(k) + ")), 1.0);",
@@ -85,7 +86,8 @@ TEST_F(SurfaceShader, AmbientTermIsEmissionAndReflectedAmbientLight) {
   const auto results = draw(
       "LitfogSurface surface = LitfogSurface(vec3(0.0), vec3(0.0, 1.0, 0.0), vec3(0.0, 1.0, 0.0), vec3(0.125, 0.25, "
       "0.5), "
-      "vec3(0.5, 0.25, 0.125), vec3(9.0), vec3(1.0), 8.0); result = vec4(litfog_ambient(surface, vec3(1.0, 2.0, 4.0)), 1.0);",
+      "vec3(0.5, 0.25, 0.125), vec3(9.0), vec3(1.0), 8.0); result = vec4(litfog_ambient(surface, vec3(1.0, 2.0, 4.0)), "
+      "1.0);",
       {{vec4(0)}});
   EXPECT_EQ(results[0], vec4(0.625, 0.75, 1, 1));
 }

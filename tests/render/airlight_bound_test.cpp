@@ -34,8 +34,9 @@ TEST(RenderAirlightBound, NoMoreThanTheBudgetComesFromBehindTheEnd) {
     const double whole = reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
     c.ray.length = end * random.uniform(1, 1.2);
     const double before = reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
-    EXPECT_LE(light.color.r * (whole - before), budget + 1e-9 * light.color.r * whole) << to_string(c) << ", " << end;
-    attacked += light.color.r * whole > budget;
+    const double shown = kAirlightUnit * light.color.r;
+    EXPECT_LE(shown * (whole - before), budget + 1e-9 * shown * whole) << to_string(c) << ", " << end;
+    attacked += shown * whole > budget;
   }
   EXPECT_GT(attacked, 500);
 }

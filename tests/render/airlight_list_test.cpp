@@ -99,7 +99,7 @@ TEST(AirlightList, RayShowsLessThanItsShareOfAllLightsThatItLacks) {
       for (std::size_t i = 0; i < reaches.size(); ++i) {
         const PlacedLight& light = lights.lights()[i];
         if (!(passing_range(light, seen) > reaches[i])) continue;
-        lacking += light.light.color.r * reference_airlight(light, {fog}, seen);
+        lacking += kAirlightUnit * light.light.color.r * reference_airlight(light, {fog}, seen);
       }
       worst = std::max(worst, lacking / visible_step(exposure));
     }

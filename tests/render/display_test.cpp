@@ -142,7 +142,7 @@ TEST(AutoExposure, BlackSkyAndAFewBrightLampsDoNotChangeIt) {
 }
 
 TEST(AutoExposure, MiddlePixelIsReadableUnlessTheBrightestWouldBeWhite) {
-  std::vector<glm::vec3> colors(1000, glm::vec3(0.012f / 32));
+  std::vector<glm::vec3> colors(1000, glm::vec3(0.03f / 32));
   std::fill_n(colors.begin(), 60, glm::vec3(0.1f));
   EXPECT_EQ(auto_exposure(row(colors)), 5);
   std::fill_n(colors.begin(), 60, glm::vec3(1));

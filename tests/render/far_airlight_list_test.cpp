@@ -66,7 +66,7 @@ TEST(FarAirlightList, RayShowsNoMoreThanAThirdOfTheShareOfALightThatIsLeftOutOrB
     const double end = list.lights.empty() ? 0 : end_of(list, 0);
     if (end >= double(kSkyDistance)) continue;
     const PlacedLight& light = lights.lights()[0];
-    const double beyond = light.light.color.r * far_airlight(light, c.atmosphere, c.ray, end);
+    const double beyond = kAirlightUnit * light.light.color.r * far_airlight(light, c.atmosphere, c.ray, end);
     EXPECT_LE(beyond, budget * (1 + 1e-6)) << to_string(c) << ", end " << end;
     most = std::max(most, beyond / budget);
   }
@@ -101,7 +101,7 @@ TEST(FarAirlightList, RayShowsNoMoreThanItsShareOfAllThatIsLeftOutOfManyLights) 
     double lacking = 0;
     for (std::size_t light = 0; light < lights.size(); ++light) {
       const bool is_listed = std::ranges::find(list.lights, std::int32_t(light)) != list.lights.end();
-      lacking += lights.lights()[light].light.color.r *
+      lacking += kAirlightUnit * lights.lights()[light].light.color.r *
                  far_airlight(lights.lights()[light], {fog}, ray, is_listed ? end_of(list, std::int32_t(light)) : 0);
     }
     worst = std::max(worst, lacking / visible_step(0));

@@ -51,7 +51,8 @@ double sum_of_point(const Scene& scene, const Fog& fog, int width, int height, i
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
       const std::size_t green = 3 * (std::size_t(y) * std::size_t(width) + std::size_t(x)) + 1;
-      const double square = std::pow(pixel, 2) * (std::pow(x + 0.5 - width / 2., 2) + std::pow(y + 0.5 - height / 2., 2));
+      const double square =
+          std::pow(pixel, 2) * (std::pow(x + 0.5 - width / 2., 2) + std::pow(y + 0.5 - height / 2., 2));
       sum += double(with.rgb[green] - without.rgb[green]) * pixel * pixel * std::pow(1 + square, -1.5);
     }
   }

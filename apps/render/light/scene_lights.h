@@ -20,10 +20,10 @@ bool lights_fog_beyond_end(const RenderSettings& settings);
 /// where the maps do, and paths that light vertices are farther from the formula than the tails are bright.
 bool lights_surfaces_beyond_end(const RenderSettings& settings);
 
-/// A light as a renderer draws it. By airlight it is photometric(), except on paths with light maps, whose texels are too
-/// large for what is near a lamp, and ends where airlight_threshold() says, except on paths with the radial range law:
-/// that falls to 0 at the end, and is brighter everywhere the farther off the end is. Paths with light maps have the
-/// cone of their maps (mapped_cone).
+/// A light as a renderer draws it. By airlight it is photometric(), except on paths with light maps, whose texels are
+/// too large for what is near a lamp, and ends where airlight_threshold() says, except on paths with the radial range
+/// law: that falls to 0 at the end, and is brighter everywhere the farther off the end is. Paths with light maps have
+/// the cone of their maps (mapped_cone).
 ///
 /// exposure  EV at which the picture is shown; taken as 0 if below
 Light drawn_light(const Light& light, const RenderSettings& settings, double exposure = 0);

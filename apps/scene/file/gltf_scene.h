@@ -40,8 +40,8 @@ bool is_gltf_path(const std::string& path);
 /// | MASK                                | no surface below alphaCutoff                                               |
 /// | BLEND                               | hides alpha of what is behind it, in linear light; see below               |
 /// | point and spot lights               | KHR_lights_punctual; see below                                             |
-/// | the brightest directional light     | the moon, of colour E / 20 for E lx, at most 1,310,080; others left out     |
-/// | lights at or below the camera       | carried by the eye's vehicle                                               |
+/// | the brightest directional light     | the moon, of colour E / 20 for E lx, at most 1,310,080; others left out | |
+/// lights at or below the camera       | carried by the eye's vehicle                                               |
 /// | no lights                           | lit from over the viewer's shoulder, and by half as much ambient light     |
 ///
 /// [1] the lobe's energy: Akenine-Moller et al., "Real-Time Rendering", 3rd edition, 7.8.1
@@ -57,8 +57,8 @@ bool is_gltf_path(const std::string& path);
 ///
 /// Lights: a light of I cd has its colour, C = 1 and Q = 20 lx / I, so that a white surface square to it shows
 /// I / (20 lx r^2) of the display's white at r metres, as for any light of litfog (kWhiteLux); its source radius is
-/// 0.05 m, or half of sqrt(I / 20 lx) where that is less. The light ends at its range, or without one where it shows half
-/// of 1/256. By airlight a light shines on beyond its range, which the extension calls a hint
+/// 0.05 m, or half of sqrt(I / 20 lx) where that is less. The light ends at its range, or without one where it shows
+/// half of 1/256. By airlight a light shines on beyond its range, which the extension calls a hint
 /// (render::SurfaceList::set_lights, render::FarAirlight). Spots are smoothstep cones from their inner to their outer
 /// angle, at least 0.001 apart in the cosine.
 ///
