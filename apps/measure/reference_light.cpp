@@ -34,7 +34,7 @@ std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const At
   const bool has_far_ends = render::lights_fog_beyond_end(settings);
   std::vector<ReferenceLight> lights;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    PlacedLight placed = scene.lights[i];
+    PlacedLight placed = scene::lit_light(scene, i);
     placed.light = render::drawn_light(placed.light, settings, exposure);
     const Light& light = placed.light;
     // Beyond a light's end a(r) is below the threshold, and the fog's weights along a ray sum to less than 1.

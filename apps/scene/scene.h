@@ -101,14 +101,15 @@ struct Scene {
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
   bool is_lit_at_vertices = false;  ///< it shows what tessellation does: the gallery draws it by the path `vertex`
   SceneDisplay display = {};
+  double seconds = 0;     ///< its time, by which lights flash (lit_light)
   Atmosphere atmosphere;  ///< its fog is clear air: the visibility is chosen where the scene is drawn
 };
 
 /// Largest time: a cookie or light of ten turns a second is then still in place to a thousandth of a degree.
 inline constexpr double kMaxSeconds = 1e9;
 
-/// Makes of a scene as read the scene at a time: turns the spinning cookies and the turning lights by what they turn in
-/// `seconds`, and multiplies the colours of flashing lights by their factors, which are 0 between flashes.
+/// Makes of a scene as read, which is at time 0, the scene at a time: turns the spinning cookies and the turning lights by
+/// what they turn in `seconds`.
 ///
 /// seconds  [0, kMaxSeconds]
 /// throws   std::invalid_argument naming the rule
@@ -119,7 +120,14 @@ inline void move_to_time(Scene& scene, double seconds) {
     glm::dvec3& direction = scene.lights[light].direction;
     direction = glm::dmat3(glm::rotate(glm::dmat4(1), rate * seconds, glm::dvec3(0, 1, 0))) * direction;
   }
-  for (PlacedLight& placed : scene.lights) placed.light.color *= flash_at(placed.light.flash, seconds);
+  scene.seconds = seconds;
+}
+
+/// A light as the scene's time has it: a flashing one is dark between its flashes.
+inline PlacedLight lit_light(const Scene& scene, std::size_t light) {
+  PlacedLight lit = scene.lights[light];
+  lit.light.color *= flash_at(lit.light.flash, scene.seconds);
+  return lit;
 }
 
 /// The visibility at which a scene is drawn if none is given, metres: the middle one of its own, or 200.

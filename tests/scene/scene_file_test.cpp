@@ -141,7 +141,7 @@ TEST_F(SceneFile, FlashingLightHasTheColourOfTheTime) {
   for (const auto& [seconds, factor] : {std::pair{0.0, 0.0}, {0.75, 5}, {1, 0}, {8.5, 5}}) {
     Scene scene = read(text);
     move_to_time(scene, seconds);
-    EXPECT_EQ(scene.lights[0].light.color, factor * glm::dvec3(1, 2, 0)) << seconds;
+    EXPECT_EQ(lit_light(scene, 0).light.color, factor * glm::dvec3(1, 2, 0)) << seconds;
   }
 }
 

@@ -52,7 +52,7 @@ SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settin
       updater_(kSkipsNothing) {
   for (const bool is_carried : {false, true}) {
     for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-      PlacedLight light = scene.lights[i];
+      PlacedLight light = scene::lit_light(scene, i);
       if (light.carried != is_carried || light.light.color == glm::dvec3(0)) continue;
       light.position = placed_relative_to(origin_, light);
       light.light = drawn_light(light.light, settings, exposure);
