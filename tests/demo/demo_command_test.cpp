@@ -63,7 +63,7 @@ std::string see_help(const std::string& arguments) {
 
 TEST_F(DemoCommand, PngAndExrShowTheSameLight) {
   // By clip, for neutral changes the dark too.
-  for (const char* output : {"a.png --tone clip --glare none", "a.exr"}) {
+  for (const char* output : {"a.png --exposure 0 --tone clip --glare none", "a.exr"}) {
     const Outcome outcome = run(std::string("tessellation --visibility 200 --size 64x36 -o ") + output);
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
   }
@@ -81,7 +81,7 @@ TEST_F(DemoCommand, PngAndExrShowTheSameLight) {
 }
 
 TEST_F(DemoCommand, ExposureAndToneAreThePicturesAndNotTheLights) {
-  for (const char* options : {"-o a.png", "-o b.png --exposure 0 --tone neutral", "-o c.png --exposure 1",
+  for (const char* options : {"-o a.png", "-o b.png --exposure auto --tone neutral", "-o c.png --exposure 1",
                               "-o d.png --tone clip", "-o e.exr --stats linear.json"}) {
     const Outcome outcome = run(std::string("room --size 32x18 ") + options);
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
@@ -104,6 +104,15 @@ TEST_F(DemoCommand, EyesGlareIsThatOfPicturesByAirlightUnlessStated) {
     EXPECT_NE(read("eye.png"), read("none.png")) << fog_light;
     EXPECT_EQ(nlohmann::json::parse(read("own.json"))["glare"], has_glare ? "eye" : "none");
   }
+}
+
+TEST_F(DemoCommand, LightThatHalfFloatsCutOffGlaresTheSameInASequence) {
+  const std::string bulb = "--size 32x18 --set lights[0].color=[1e4,1e4,1e4]";
+  const std::string in_floats = run("room --visibility 20 -o a.exr " + bulb).out;
+  ASSERT_NE(in_floats.find("in 32-bit floats"), std::string::npos) << in_floats;
+  ASSERT_EQ(run("room --visibility 20 --exposure -6 -o a.png " + bulb).status, kDone);
+  ASSERT_EQ(run("sequence room --visibility 400..20 --frames 2 --exposure -6 -o frames " + bulb).status, kDone);
+  EXPECT_EQ(read("frames/room-0002.png"), read("a.png"));
 }
 
 TEST_F(DemoCommand, AutomaticExposureIsToldAndGivesTheSamePictureWhenGiven) {
@@ -431,7 +440,7 @@ TEST_F(DemoCommand, PhaseAsymmetryIsANumberBetweenMinusOneAndOne) {
 }
 
 TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
-  const Outcome outcome = run("gallery room -o pictures --size 64x36");
+  const Outcome outcome = run("gallery room -o pictures --size 64x36 --exposure 0");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   for (const char* name : {"room-clear.png", "room-60m.png", "room-20m.png", "room-6m.png", "contact-sheet.png"}) {
     EXPECT_TRUE(std::filesystem::exists(directory() / "pictures" / name)) << name;
@@ -470,7 +479,7 @@ TEST_F(DemoCommand, GallerySheetIsTallerByTheLineThatTellsTheDisplay) {
   const auto sheet_height = [this](const std::string& folder) {
     return OIIO::ImageBuf((directory() / folder / "contact-sheet.png").string()).spec().height;
   };
-  ASSERT_EQ(run("gallery room -o plain --size 64x36").status, kDone);
+  ASSERT_EQ(run("gallery room -o plain --size 64x36 --exposure 0").status, kDone);
   const Outcome outcome = run("gallery room -o told --size 64x36 --exposure 0.5 --tone clip");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   EXPECT_NE(outcome.out.find(" s, EV 0.5, tone clip\n"), std::string::npos) << outcome.out;
@@ -489,7 +498,7 @@ TEST_F(DemoCommand, PapersAreFourSheets) {
 }
 
 TEST_F(DemoCommand, ComparisonHasAPageOfEveryPathWithItsPictures) {
-  const std::string options = "room --size 64x36 --map-size 16 --fog exp2 --visibility 30 ";
+  const std::string options = "room --size 64x36 --map-size 16 --fog exp2 --visibility 30 --exposure 0 ";
   const Outcome outcome = run("compare " + options + "-o a/b --frames 2");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   const std::string page = read("a/b/index.html");
