@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawing/glare.h"
 
-#include <fftw3.h>
+#include <unsupported/Eigen/FFT>
 
 #include <algorithm>
 #include <cmath>
 #include <complex>
 #include <limits>
-#include <mutex>
-#include <new>
 #include <numbers>
 #include <utility>
 #include <vector>
+
+#include "model/parallel.h"
 
 namespace litfog::drawing {
 namespace {
@@ -89,39 +89,36 @@ std::vector<double> fractions(std::size_t width, std::size_t height, double pixe
   return result;
 }
 
-/// A transform by FFTW, whose planner serves one thread at a time.
-class Transform {
- public:
-  template <typename Make>
-  explicit Transform(Make make) {
-    const std::lock_guard lock(planner());
-    plan_ = make();
-    if (!plan_) throw std::bad_alloc();
-  }
-  ~Transform() {
-    const std::lock_guard lock(planner());
-    fftw_destroy_plan(plan_);
-  }
-  Transform(const Transform&) = delete;
-  Transform& operator=(const Transform&) = delete;
+using Transform = Eigen::FFT<double>;
+using Wave = std::complex<double>;
 
-  void run() const { fftw_execute(plan_); }
+/// Calls work(transform, i) for i in [0, count) on all cores. A transform serves one thread at a time, and many calls,
+/// because its first makes tables.
+template <typename Work>
+void for_each_by_transform(std::size_t count, const Work& work) {
+  constexpr std::size_t kTogether = 32;
+  for_each_in_parallel((count + kTogether - 1) / kTogether, [&](std::size_t turn) {
+    Transform transform({}, Transform::Flag(Transform::Unscaled | Transform::HalfSpectrum));
+    const std::size_t end = std::min(count, (turn + 1) * kTogether);
+    for (std::size_t i = turn * kTogether; i < end; ++i) work(transform, i);
+  });
+}
 
- private:
-  static std::mutex& planner() {
-    static std::mutex mutex;
-    return mutex;
-  }
+/// Replaces values, which lie a step apart, by the spectrum of these and their mirror image. That is real.
+void transform_mirrored(Transform& transform, double* values, std::size_t count, std::size_t step) {
+  std::vector<double> mirrored(2 * (count - 1));
+  for (std::size_t i = 0; i < mirrored.size(); ++i) mirrored[i] = values[std::min(i, mirrored.size() - i) * step];
+  std::vector<Wave> waves(count);
+  transform.fwd(waves.data(), mirrored.data(), Eigen::Index(mirrored.size()));
+  for (std::size_t i = 0; i < count; ++i) values[i * step] = waves[i].real();
+}
 
-  fftw_plan plan_ = nullptr;
-};
-
-/// The least number of at least a side's pixels whose double FFTW transforms quickly. With the double, glare that
+/// The least even number of at least a side's pixels whose double Eigen transforms quickly. With the double, glare that
 /// leaves at one edge does not come in at the other.
 std::size_t padded(int side) {
-  for (std::size_t size = std::size_t(side);; ++size) {
+  for (auto size = std::size_t(side + side % 2);; size += 2) {
     std::size_t rest = size;
-    for (const std::size_t factor : {2u, 3u, 5u, 7u}) {
+    for (const std::size_t factor : {2u, 3u, 5u}) {
       while (rest % factor == 0) rest /= factor;
     }
     if (rest == 1) return size;
@@ -151,39 +148,39 @@ render::Picture with_glare(const render::Picture& picture, double pixels_per_rad
   // 1e6 the rounding of floats would show as stripes. What stays in its pixel needs no transform.
   std::vector<double> factors = fractions(columns, half_height + 1, 1 / (kDegree * pixels_per_radian));
   const double staying = std::exchange(factors[0], 0);
-  Transform([&] {
-    return fftw_plan_r2r_2d(int(half_height + 1), int(columns), factors.data(), factors.data(), FFTW_REDFT00,
-                            FFTW_REDFT00, FFTW_ESTIMATE);
-  }).run();
-  for (double& factor : factors) factor /= double(2 * half_width * rows);  // FFTW's transforms there and back multiply
+  for_each_by_transform(half_height + 1, [&](Transform& transform, std::size_t y) {
+    transform_mirrored(transform, &factors[y * columns], columns, 1);
+  });
+  for_each_by_transform(columns, [&](Transform& transform, std::size_t x) {
+    transform_mirrored(transform, &factors[x], half_height + 1, columns);
+  });
 
-  std::vector<std::complex<double>> spectrum(columns * rows);
-  const auto values = reinterpret_cast<double*>(spectrum.data());  // 2 * columns a row
-  const auto frequencies = reinterpret_cast<fftw_complex*>(spectrum.data());
-  const Transform forward(
-      [&] { return fftw_plan_dft_r2c_2d(int(rows), int(2 * half_width), values, frequencies, FFTW_ESTIMATE); });
-  const Transform back(
-      [&] { return fftw_plan_dft_c2r_2d(int(rows), int(2 * half_width), frequencies, values, FFTW_ESTIMATE); });
+  const double scale = 1 / double(2 * half_width * rows);  // transforms there and back multiply by its inverse
+  std::vector<Wave> spectrum(columns * height);            // of the rows; those below the picture are black
   render::Picture seen = picture;
   for (std::size_t channel = 0; channel < 3; ++channel) {
-    std::ranges::fill(spectrum, std::complex<double>());
-    for (std::size_t y = 0; y < height; ++y) {
-      for (std::size_t x = 0; x < width; ++x) {
-        values[y * 2 * columns + x] = spreading(picture.rgb[3 * (y * width + x) + channel]);
-      }
-    }
-    forward.run();
-    for (std::size_t y = 0; y < rows; ++y) {
-      const double* const row = &factors[std::min(y, rows - y) * columns];
-      for (std::size_t x = 0; x < columns; ++x) spectrum[y * columns + x] *= row[x];
-    }
-    back.run();
-    for (std::size_t y = 0; y < height; ++y) {
+    for_each_by_transform(height, [&](Transform& transform, std::size_t y) {
+      std::vector<double> row(2 * half_width);
+      for (std::size_t x = 0; x < width; ++x) row[x] = scale * spreading(picture.rgb[3 * (y * width + x) + channel]);
+      transform.fwd(&spectrum[y * columns], row.data(), Eigen::Index(row.size()));
+    });
+    for_each_by_transform(columns, [&](Transform& transform, std::size_t x) {
+      std::vector<Wave> column(rows);
+      std::vector<Wave> waves(rows);
+      for (std::size_t y = 0; y < height; ++y) column[y] = spectrum[y * columns + x];
+      transform.fwd(waves.data(), column.data(), Eigen::Index(rows));
+      for (std::size_t y = 0; y < rows; ++y) waves[y] *= factors[std::min(y, rows - y) * columns + x];
+      transform.inv(column.data(), waves.data(), Eigen::Index(rows));
+      for (std::size_t y = 0; y < height; ++y) spectrum[y * columns + x] = column[y];
+    });
+    for_each_by_transform(height, [&](Transform& transform, std::size_t y) {
+      std::vector<double> row(2 * half_width);
+      transform.inv(row.data(), &spectrum[y * columns], Eigen::Index(row.size()));
       for (std::size_t x = 0; x < width; ++x) {
         float& light = seen.rgb[3 * (y * width + x) + channel];
-        light = float(staying * double(light) + values[y * 2 * columns + x]);
+        light = float(staying * double(light) + row[x]);
       }
-    }
+    });
   }
   return seen;
 }
