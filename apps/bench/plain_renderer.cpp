@@ -112,7 +112,7 @@ void PlainRenderer::set_atmosphere(const Atmosphere& atmosphere) {
   atmosphere_ = atmosphere;
   packed_.clear();
   for (const std::size_t i : light_order_) {
-    const PlacedLight& light = scene_.lights[i];
+    const PlacedLight light = scene::lit_light(scene_, i);
     packed_.push_back(pack(light, solve_fog_intensity(light.light, atmosphere.fog)));
     if (const auto use = scene_.cookie_uses.find(i); use != scene_.cookie_uses.end()) {
       const glm::dvec3 up = glm::transpose(scene::cookie_from_world(light.direction, use->second.roll))[1];

@@ -117,12 +117,12 @@ TEST(FarAirlightList, LightIsListedThatMattersOnlyToRaysThatTouchItsExtent) {
   light.light.threshold = 1e-4;
   const double extent = compute_extent(light.light.attenuation, light.light.threshold);
   light.position = {extent, 0, -20 * extent};
-  const Fog fog{FogMode::exp, 1e-3 / extent};
+  const Fog fog{FogMode::exp, 5e-3 / extent};
   const EyeRay touching{.origin = {}, .direction = {0, 0, -1}};
   const double beyond = far_airlight(light, {fog}, touching, 0);
   const double inward = 2 * fog.density / extent;  // of a ray through the light: 2 times the integral of 1 / r^2
-  EXPECT_GT(beyond, 1.4 * inward);
-  light.light.color = glm::dvec3(1.05 * kFarShare / 3 * visible_step(0) / beyond);
+  EXPECT_GT(beyond, 1.3 * inward);
+  light.light.color = glm::dvec3(1.05 * kFarShare / 3 * visible_step(0) / (kAirlightUnit * beyond));
   scene::Scene scene;
   scene.lights = {light};
   EXPECT_EQ(list_far_airlight(SceneLights(scene, kByAirlight), {fog}, {}, 0).lights.size(), 1u);
