@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <numbers>
 
 #include "command/temporary_directory.h"
 #include "gl/gl_test.h"
@@ -21,7 +20,6 @@ using namespace measure;
 
 namespace {
 
-using std::numbers::pi;
 
 class GltfPicture : public test::GlTest {};
 
@@ -78,7 +76,8 @@ double lit_red(const Scene& scene, const glm::dvec3& normal, double shininess) {
   const double facing = glm::dot(normal, to_light) / range;
   const double highlight = glm::dot(normal, glm::normalize(to_light / range - glm::normalize(view)));
   const double specular = 0.04 * (shininess + 8) / 8 * std::pow(highlight, shininess);
-  return double(scene.environment.ambient_light.r) + 40 / (pi * range * range) * (facing + specular);
+  const double arriving = 1 / (1 + kWhiteLux / 40 * range * range);
+  return double(scene.environment.ambient_light.r) + arriving * (facing + specular);
 }
 
 double drawn_red(const Picture& picture) { return double(picture.rgb[std::size_t(3 * (40 * 80 + 40))]); }
