@@ -46,7 +46,7 @@ double auto_exposure(const Picture& picture) {
   if (peaks.empty()) return 0;
   const double bright = 0.8 / double(quantile(peaks, 0.95));
   const auto middle = double(quantile(peaks, 0.5));
-  const double gain = std::min(std::clamp(bright, 0.03 / middle, 0.3 / middle), 8 / double(quantile(peaks, 0.99)));
+  const double gain = std::min(std::clamp(bright, 0.03 / middle, 0.3 / middle), 5 / double(quantile(peaks, 0.99)));
   const double ev = std::log2(gain);
   return std::clamp(std::round(100 * ev) / 100, -kMaxExposure, kMaxExposure);
 }

@@ -35,7 +35,7 @@ struct Display {
 
 /// An exposure at which one in twenty of the pixels that are not black has a channel above 0.8, the limit up to which a
 /// display shows colours unchanged; but the middle one of all has a channel of at least 0.03 and at most 0.3 (levels 48
-/// and 148 of sRGB), and then no more than one in a hundred has one above 8, which `neutral` still shows below white.
+/// and 148 of sRGB), and then no more than one in a hundred has one above 5, which `neutral` still shows below white.
 /// So a few bright lamps do not darken a picture, and a dark sky does not turn lit surfaces white.
 ///
 /// returns  EV in hundredths, in [-kMaxExposure, kMaxExposure]; pixels that are not finite do not count; 0 if no other

@@ -29,6 +29,7 @@ class PictureMakerTest : public GlTest {
                        .width = width,
                        .height = height};
     order.settings[0].visibility = 40;
+    order.settings[0].display.exposure = render::Exposure{};  // one that no earlier picture decides
     return order;
   }
 
