@@ -196,7 +196,7 @@ TEST_F(DemoCommand, GltfOfBlendersLampsAndSunsIsAPictureAndNotWhite) {
       }
       return white / (64.0 * 36);
     };
-    EXPECT_LE(white_fraction("a.png", " --glare none"), 0.01) << light;
+    EXPECT_LE(white_fraction("a.png", " --glare none"), 0.02) << light;  // the lamp and what is below it
     const auto stats = nlohmann::json::parse(read("s.json"));
     EXPECT_EQ(stats["exposure_auto"], true) << light;
     EXPECT_LT(stats["exposure_ev"], -2) << light;
