@@ -191,16 +191,18 @@ EMSCRIPTEN_KEEPALIVE int page_lamp_copies(int lamp) { return int(session().lamps
 
 /// Changes all lights of a lamp; returns what is wrong with the members, and then changes nothing, or nothing.
 ///
+/// radius         of the source, metres
 /// profile        ConeProfile
 /// first, second  its parameters
 EMSCRIPTEN_KEEPALIVE const char* page_set_lamp(int lamp, double red, double green, double blue, double constant,
-                                               double linear, double quadratic, double threshold, int profile,
-                                               double first, double second) {
+                                               double linear, double quadratic, double threshold,
+                                               double radius, int profile, double first, double second) {
   static std::string error;
   Light light = session().first_of(lamp).light;
   light.color = {red, green, blue};
   light.attenuation = {constant, linear, quadratic};
   light.threshold = threshold;
+  light.source_radius = radius;
   light.cone = cone_of(ConeProfile(profile), {first, second});
   if (const auto wrong = find_error(light)) {
     error = to_string(*wrong);

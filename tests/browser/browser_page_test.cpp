@@ -235,7 +235,7 @@ TEST_F(BrowserPage, PeakInExp2FogIsThatOfTheFormulasAlsoAtAnAutomaticExposure) {
 TEST_F(BrowserPage, TexturesInClearAirAreThoseOfTheFormulasWhateverElseTheAddressSays) {
   // Without fog its visibility cannot be chosen: only then is there a second picture.
   const std::vector<Pixels> page = shown(
-      "mode=none&light=peak&lamp0=1,1,1,1,0,1,0.1,7,0,0&lamp1=1,1,1,-1,0,1,0.1,0,0,0&lamp9=1&ev=x&contrast=2&"
+      "mode=none&light=peak&lamp0=1,1,1,1,0,1,0.1,0,7,0,0&lamp1=1,1,1,-1,0,1,0.1,0,0,0,0&lamp9=1&ev=x&contrast=2&"
       "visibility=-1&tone=7&camera=1e300,0,0,0,0,0&camera=1&%=%&=",
       Textures::filtered,
       "if (byId('visibility').matches(':disabled')) document.querySelector('[name=tone][value=clip]').click();");
@@ -246,7 +246,7 @@ TEST_F(BrowserPage, TexturesInClearAirAreThoseOfTheFormulasWhateverElseTheAddres
 
 TEST_F(BrowserPage, LampsHaveNoEndThatALargeExposureShows) {
   const std::vector<Pixels> page =
-      shown("visibility=2000&ev=4&tone=clip&lamp1=1,0.5,0.12,1,0,0.5,0.05,0,0,0", Textures::first_texel);
+      shown("visibility=2000&ev=4&tone=clip&lamp1=1.728,0.8638,0.2073,1,0,0.5,0.05,0.15,0,0,0", Textures::first_texel);
   ASSERT_FALSE(page.empty());
   scene::Scene street = painted_street(Textures::first_texel);
   for (PlacedLight& placed : street.lights) {

@@ -60,7 +60,7 @@ const kNumbers = ['visibility', 'contrast', 'ev'];
 const kWords = {mode: Object.keys(kModes), light: ['airlight', 'peak'], exposure: ['fixed', 'auto'],
                 tone: ['neutral', 'clip']};
 const kMembers =
-    ['red', 'green', 'blue', 'constant', 'linear', 'quadratic', 'threshold', 'profile', 'first', 'second'];
+    ['red', 'green', 'blue', 'constant', 'linear', 'quadratic', 'threshold', 'radius', 'profile', 'first', 'second'];
 const kProfileAt = kMembers.indexOf('profile');
 const kParameterAt = kProfileAt + 1;  // of a cone
 let profiles = [];  // of cones
@@ -179,10 +179,11 @@ let rows = {};
 const member = (lamp, name) => lamp.members[kMembers.indexOf(name)];
 
 // The members of a light file. One without a cone is a point light.
-function membersOf({color, attenuation: {constant, linear, quadratic}, threshold, cone = {profile: 'none'}}) {
+function membersOf({color, attenuation: {constant, linear, quadratic}, threshold, source_radius_m = 0,
+                    cone = {profile: 'none'}}) {
   const profile = profiles.findIndex(({name}) => name === cone.profile);
   const [first = 0, second = 0] = profiles[profile].parameters.map(({file}) => cone[file]);
-  return [...color, constant, linear, quadratic, threshold, profile, first, second];
+  return [...color, constant, linear, quadratic, threshold, source_radius_m, profile, first, second];
 }
 
 // Takes the members of a lamp, or says what is wrong with them.
