@@ -11,6 +11,7 @@
 #include "render/gpu/geometry_buffer.h"
 #include "render/light/hidden_range.h"
 #include "render/light/point_list.h"
+#include "render/plan/view.h"
 
 namespace litfog::bench {
 namespace {
@@ -56,7 +57,7 @@ std::vector<std::size_t> lights_with_points(const render::Renderer& renderer) {
                           {.eye = camera.position,
                            .forward = axes_of(camera).forward,
                            .frustum = render::make_frustum(clip_from_world),
-                           .field_of_view = double(camera.field_of_view),
+                           .pixels_per_radian = render::pixels_per_radian(camera, renderer.height()),
                            .height = renderer.height()},
                           render::kPointShare * render::visible_step(0));
   std::vector<std::size_t> found;

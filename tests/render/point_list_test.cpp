@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "litfog/attenuation.h"
@@ -19,7 +20,7 @@ constexpr double kBudget = 4e-5;
 const PointView kView{.eye = {},
                       .forward = {0, 0, -1},
                       .frustum = make_frustum(glm::infinitePerspective(1.0f, 1.5f, 0.1f)),
-                      .field_of_view = 1,
+                      .pixels_per_radian = 360 / std::tan(0.5),
                       .height = 720};
 
 scene::Scene row_of_lamps(int count, double spacing, double density_scale = 1) {

@@ -12,9 +12,6 @@
 namespace litfog::render {
 namespace {
 
-/// Pixels a radian at the picture's middle.
-double pixel_scale(const PointView& view) { return view.height / (2 * std::tan(view.field_of_view / 2)); }
-
 /// Upper bound of what a light's point adds to a pixel.
 double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, FogLighting fog_lighting,
                      const PointView& view) {
@@ -29,7 +26,7 @@ double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, F
   if (fog_lighting == FogLighting::airlight) {
     if (luminance(light.color) * arriving < view.least_seen) return 0;
     const double cosine = std::max(-glm::dot(to_eye, view.forward) / range, 0.01);
-    const double pixel = std::pow(pixel_scale(view), -2) * std::pow(cosine, 3);  // its solid angle
+    const double pixel = std::pow(view.pixels_per_radian, -2) * std::pow(cosine, 3);  // its solid angle
     return largest_component(light.color) * arriving / (pixel * (1 + 0.2 * double(kDiscEdge * kDiscEdge)));
   }
   constexpr double kCoreAndHalo = 1 + kHaloBrightness;
@@ -43,7 +40,7 @@ double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, F
 /// size  of the point in picture heights
 double depth_factor(double size, const PointView& view) {
   const double least = 2.0 / view.height;  // a point has at least two pixels
-  return 1 + std::max(size, least) * std::tan(view.field_of_view / 2);
+  return 1 + std::max(size, least) * view.height / (2 * view.pixels_per_radian);
 }
 
 /// In picture heights.
@@ -51,7 +48,7 @@ double point_size(FogLighting fog_lighting, double source_radius, double range, 
   if (fog_lighting == FogLighting::peak) return kPointRadii * kPointRadius * kMaxGlare / kPointPictureHeight;
   constexpr double kWidestPixels = 6;  // the smallest disc with its edge, and a pixel
   // Seen from the picture's corner a disc spans up to 1 / cosine^1.5 times as many pixels; 4 is for 66 degrees.
-  return (kWidestPixels + 4 * 2 * source_radius / range * pixel_scale(view)) / view.height;
+  return (kWidestPixels + 4 * 2 * source_radius / range * view.pixels_per_radian) / view.height;
 }
 
 }  // namespace

@@ -38,9 +38,9 @@ struct PointView {
   glm::dvec3 eye;
   glm::dvec3 forward;  ///< the camera's axis; unit
   Frustum frustum;
-  double field_of_view;   ///< vertical, radians
-  int height;             ///< of the picture, pixels
-  double least_seen = 0;  ///< illuminance at the eye in the unit of colours; by airlight, dimmer lamps are left out
+  double pixels_per_radian;  ///< at the picture's middle
+  int height;                ///< of the picture, pixels
+  double least_seen = 0;     ///< illuminance at the eye in the unit of colours; by airlight, dimmer lamps are left out
 };
 
 /// Leaves out lights outside the view, and lights whose points together add less than a budget to any pixel even if all

@@ -200,7 +200,7 @@ void FramePlanner::plan_visible(const FrameView& view) {
                                        {.eye = view.camera.position,
                                         .forward = axes_of(view.camera).forward,
                                         .frustum = frustum,
-                                        .field_of_view = double(view.camera.field_of_view),
+                                        .pixels_per_radian = view.pixels_per_radian,
                                         .height = view.picture_size.y,
                                         .least_seen = least_seen()},
                                        kPointShare * step_);
