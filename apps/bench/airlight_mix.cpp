@@ -7,7 +7,7 @@ namespace {
 test::AirlightCase draw_any_case(test::Random& random, FogMode mode, LampLeg lamp_leg) {
   test::AirlightCase c = random.chance(1.0 / 3) ? test::draw_airlight_case(random, mode, lamp_leg)
                                                 : test::draw_spot_airlight_case(random, mode, lamp_leg);
-  if (random.chance(0.5)) c.atmosphere.phase.asymmetry = random.uniform(-0.9, 0.9);
+  if (random.chance(0.5)) c.atmosphere.phase.first.asymmetry = random.uniform(-0.9, 0.9);
   return c;
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMaxSide = 16'384;
 constexpr command::NumberRule kFraction{[](double x) { return x >= 0 && x <= 1; }, "must be a number in [0, 1]", 0, 1};
-constexpr command::NumberRule kAsymmetry{[](double g) { return !find_error(Phase{g}); }, kAsymmetryRule};
+constexpr command::NumberRule kAlbedo{[](double albedo) { return albedo >= 0 && albedo <= 1; }, "must be in [0, 1]"};
 constexpr std::int64_t kMaxPixels = 40'000'000;  // some 3 GiB, 5 with airlight
 
 void parse_size(const std::string& text, DrawingOptions& options) {
@@ -45,10 +45,22 @@ void add_number(CLI::App& app, const std::string& name, std::optional<Target>& t
 }
 
 void add_phase(CLI::App& app, DrawingOptions& options) {
-  add_number(
-      app, "--phase-g", options.phase, kAsymmetry,
-      "With airlight: Henyey-Greenstein asymmetry of the fog, in place of the scene's; 0 scatters evenly, near 1 "
-      "straight ahead");
+  const auto add_named = [&](const std::string& option, const char* type, const std::string& prefix,
+                             const std::string& description) {
+    const auto parse = [&options, option, prefix](const std::string& text) {
+      if (!phase_named(prefix + text)) command::fail_option(option, text, prefix.empty() ? kPhaseRule : kAsymmetryRule);
+      options.phase = prefix + text;
+    };
+    return app.add_option_function<std::string>(option, parse, description)->type_name(type);
+  };
+  CLI::Option* const phase = add_named(
+      "--phase", "PHASE", "",
+      "With airlight: phase function of the fog, in place of the scene's: isotropic, hg:G (Henyey and Greenstein, G near "
+      "1 scatters straight ahead) or droplets:D (water droplets of 5 to 50 micrometres; default droplets:10 in exp fog, "
+      "isotropic in exp2)");
+  add_named("--phase-g", "NUMBER", "hg:", "Short for --phase hg:NUMBER")->excludes(phase);
+  add_number(app, "--albedo", options.albedo, kAlbedo,
+             "With airlight: fraction of the light taken by the fog that it scatters, in place of the scene's");
 }
 
 std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {
@@ -88,7 +100,12 @@ render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& p
 
 Atmosphere DrawingOptions::atmosphere_of(const scene::Scene& scene, double metres) const {
   Atmosphere air = scene.atmosphere.with(fog_at(metres));
-  if (phase) air.phase = *phase;
+  if (!phase.empty()) {
+    air.phase = phase_named(phase).value();
+  } else if (fog_mode() == FogMode::exp2 && !scene.states_phase) {
+    air.phase = {};
+  }
+  if (albedo) air.albedo = *albedo;
   return air;
 }
 
@@ -188,7 +205,7 @@ std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& opti
   const std::string name = fmt::format("--path {}", path.name);
   const Shadows shadows = options.render.shadows;
   const bool is_peak = options.settings().fog_lighting == render::FogLighting::peak;
-  return {{"--fog none", !options.fog, {"--visibility", "--contrast", "--phase-g"}, "the air is clear"},
+  return {{"--fog none", !options.fog, {"--visibility", "--contrast", "--phase", "--phase-g", "--albedo"}, "the air is clear"},
           {name, shadows != Shadows::none && !path.takes_airlight, {"--shadows"}, why_without_airlight(path)},
           {options.fog_light ? "--fog-light peak" : name,
            shadows == Shadows::shafts && is_peak,
@@ -204,7 +221,7 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
   std::vector<command::OptionRule> rules = fog_and_shadow_rules(options);
   rules.insert(
       rules.end(),
-      {{options.fog_light ? "--fog-light peak" : name, is_peak, {"--phase-g"}, "only airlight scatters by it"},
+      {{options.fog_light ? "--fog-light peak" : name, is_peak, {"--phase", "--phase-g", "--albedo"}, "only airlight has it"},
        {name, path.maps == render::LightMapSet::none, {"--map-size", "--cone-maps"}, "it has no light maps"},
        {name, !is_hales_lookup(path), {"--flat-shading", "--light-ambient"}, "only lookup-3d and lookup-2d have it"},
        {name,

@@ -28,7 +28,8 @@ struct DrawingOptions {
   std::optional<FogMode> fog = FogMode::exp;  ///< none: clear air
   std::optional<double> visibility = {};      ///< metres; default: what each scene suggests
   double contrast = kContrastMor;             ///< that is left at the visibility, (0, 1)
-  std::optional<Phase> phase = {};            ///< of the fog; default: the scenes' own
+  std::string phase = {};                     ///< of the fog, as phase_named() takes it; default: the scenes' own
+  std::optional<double> albedo = {};          ///< of the fog, [0, 1]; default: the scenes' own
   double seconds = 0;                         ///< for which the scenes' lights have been turning and flashing
   int width = 1280;                           ///< pixels
   int height = 720;
@@ -47,13 +48,14 @@ struct DrawingOptions {
   FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
   /// The fog of a visibility in metres.
   Fog fog_at(double metres) const { return Fog::from_visibility(fog_mode(), metres, contrast); }
-  /// A scene's atmosphere at a visibility, with the phase function that is asked for.
+  /// A scene's atmosphere at a visibility, with the phase function and albedo that are asked for. exp2 fog, which no
+  /// droplets make, is isotropic unless asked otherwise.
   Atmosphere atmosphere_of(const scene::Scene& scene, double metres) const;
 };
 
-/// --fog, for a job that draws clear air anyway, and --phase-g.
+/// --fog, for a job that draws clear air anyway, --phase and --albedo.
 void add_fog(CLI::App& app, DrawingOptions& options);
-/// --fog, which may be none, --visibility, --contrast and --phase-g.
+/// --fog, which may be none, --visibility, --contrast, --phase and --albedo.
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
 /// Whether a path is lookup-3d or lookup-2d, to which --flat-shading and --light-ambient belong.
 bool is_hales_lookup(const render::LightingPath& path);

@@ -60,7 +60,8 @@ double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Phas
   const double first = std::clamp(approach - half_chord, 0.0, ray.length);
   const double last = std::clamp(approach + half_chord, first, ray.length);
   const double factor =
-      cone_at(light.placed.light.cone, largest_cosine(light.placed, ray, first, last)) * largest_phase(phase);
+      cone_at(light.placed.light.cone, largest_cosine(light.placed, ray, first, last)) *
+      largest_phase(phase, -1, eye_range > 0 ? std::clamp(approach / eye_range, -1.0, 1.0) : 1);
   if (std::isinf(light.fog.density)) return factor * brightest;
   const double denominator =
       formulas::denominator(offset, attenuation.constant, attenuation.linear, attenuation.quadratic);

@@ -161,8 +161,9 @@ glm::dvec3 PathModel::airlight(const glm::dvec3& direction, double length) const
     const ReferenceLight* light;
   };
   std::vector<Candidate> candidates;
+  const double unit = airlight_unit(atmosphere_);
   for (const ReferenceLight& light : lights_) {
-    const double brightest = kAirlightUnit * render::largest_component(light.placed.light.color);
+    const double brightest = unit * render::largest_component(light.placed.light.color);
     const double most = brightest * airlight_bound(light, ray, atmosphere_.phase);
     if (most > 0) candidates.push_back({most, &light});
   }
@@ -170,7 +171,7 @@ glm::dvec3 PathModel::airlight(const glm::dvec3& direction, double length) const
   double left_out = 0;
   for (const auto& [most, light] : candidates) {
     left_out += most;
-    if (left_out > airlight_budget_) sum += kAirlightUnit * airlight(*light, ray) * light->placed.light.color;
+    if (left_out > airlight_budget_) sum += unit * airlight(*light, ray) * light->placed.light.color;
   }
   return sum;
 }

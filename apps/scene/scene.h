@@ -102,7 +102,11 @@ struct Scene {
   bool is_lit_at_vertices = false;  ///< it shows what tessellation does: the gallery draws it by the path `vertex`
   SceneDisplay display = {};
   double seconds = 0;     ///< its time, by which lights flash (lit_light)
-  Atmosphere atmosphere;  ///< its fog is clear air: the visibility is chosen where the scene is drawn
+  /// Its fog is clear air: the visibility is chosen where the scene is drawn. What is there then is fog of droplets.
+  Atmosphere atmosphere = {.phase = Phase::droplets(kDroplets)};
+  bool states_phase = false;  ///< whether its file states the phase function
+
+  static constexpr double kDroplets = 10;  ///< micrometres
 };
 
 /// Largest time: a cookie or light of ten turns a second is then still in place to a thousandth of a degree.

@@ -29,16 +29,18 @@ struct EyeRay {
 /// What is wrong with a ray, or nothing.
 std::optional<ValueError> find_error(const EyeRay& ray);
 
-/// Largest errors of airlight(), from clear air to a visibility of 5 cm, for cones of at least 0.1 degree, |g| <= 0.9.
+/// Largest errors of airlight(), from clear air to a visibility of 5 cm, for cones of at least 0.1 degree,
+/// |g| <= 0.99 and Phase::droplets().
 ///
 /// | light              | fog       | bound                                                      | test           |
 /// |--------------------|-----------|------------------------------------------------------------|----------------|
 /// | any                | exp, exp2 | kAirlightMaxError in every ray                             | airlight_climb |
+/// | point              | exp       | kShapedAirlightMaxError instead, unless isotropic          | airlight_climb |
 /// | point              | exp, exp2 | kAirlightTypicalError in 99 of 100 rays                    | airlight_test  |
 /// | cone               | exp, exp2 | kAirlightTypicalError in 99 of 100 rays above kDimAirlight | airlight_test  |
-/// | photometric        | exp, exp2 | kPhotometricAirlightMaxError in every ray, g >= 0          | airlight_test  |
+/// | photometric        | exp, exp2 | kPhotometricAirlightMaxError in every ray                  | airlight_test  |
 ///
-/// kAirlightMaxError is a fraction of the lamp's colour, or of the airlight where that is above 1. The other bounds are
+/// The first two are fractions of the lamp's colour, or of the airlight where that is above 1. The other bounds are
 /// fractions of the airlight. Their rays are random, or pass a light at any one angle (0.1 to 179 degrees) and distance
 /// from the eye (0.02 to 4 fog scales, 1 / density), where rays of a point whose airlight is below 1e-12 do not count.
 /// A photometric light has a source radius of 0.02 to 2 m, is up to 1e5 times as bright as white, and counts where its
@@ -46,14 +48,16 @@ std::optional<ValueError> find_error(const EyeRay& ray);
 /// kDimAirlight is rounding at the cone's outermost edge, which no 8-bit display shows unless the lamp is over a
 /// million times as bright as white.
 inline constexpr double kAirlightMaxError = 1 / 255.;
+inline constexpr double kShapedAirlightMaxError = 0.08;
 inline constexpr double kAirlightTypicalError = 0.01;
 inline constexpr double kPhotometricAirlightMaxError = 0.035;
 inline constexpr double kDimPhotometricAirlight = 1e-3;
 inline constexpr double kDimAirlight = 1e-10;
 
-/// What a picture shows of a colour times its airlight. A white surface that a lamp lights by E lux at right angles
-/// shows E / pi to the eye, and isotropic fog that scatters all it takes E / (4 pi).
+/// What a picture shows of a colour times its airlight, in fog of albedo 1 and in an atmosphere. A white surface that a
+/// lamp lights by E lux at right angles shows E / pi to the eye, and isotropic fog that scatters all it takes E / (4 pi).
 inline constexpr double kAirlightUnit = 0.25;
+inline double airlight_unit(const Atmosphere& atmosphere) { return kAirlightUnit * atmosphere.albedo; }
 
 /// Airlight of a light along a ray: the fraction that the fog scatters into the eye, a factor of the light's colour,
 ///   A = integral over s in [0, D] of  -f'(s) a(r) cone(u) f(r)^k phase(theta)  ds
@@ -63,7 +67,7 @@ inline constexpr double kAirlightUnit = 0.25;
 /// light      its extent is that of its threshold; its class sees the fog at its density scale
 /// atmosphere of the scene; rays end at its top, if they do, by their lengths
 /// returns    [0, 1] in isotropic fog; up to largest_phase() else
-/// max error  kAirlightMaxError, mostly kAirlightTypicalError, for |g| <= 0.9                       (airlight_test.cpp)
+/// max error  kAirlightMaxError or kShapedAirlightMaxError, mostly kAirlightTypicalError            (airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 double airlight(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray,
                 LampLeg lamp_leg = LampLeg::fogged);

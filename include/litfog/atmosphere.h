@@ -15,6 +15,7 @@ namespace litfog {
 struct Atmosphere {
   Fog fog = {};
   Phase phase = {};
+  double albedo = 1;  ///< [0, 1]: the fraction of the light taken by the fog that it scatters
   double top = std::numeric_limits<double>::infinity();  ///< metres: height at which rays to the sky leave the fog
   glm::dvec3 ambient_fog_color{0.0};                     ///< linear RGB, finite, >= 0
 

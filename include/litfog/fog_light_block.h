@@ -37,8 +37,9 @@ struct FogLightInstance {
 
 /// The fog: the first members of the uniform block.
 struct FogHeader {
-  glm::vec4 fog;                ///< x density (1/m), y FogMode, z number of instances in the block, w 0
-  glm::vec4 ambient_fog_color;  ///< rgb linear, w 0
+  glm::vec4 fog;                         ///< x density (1/m), y FogMode, z number of instances in the block, w albedo
+  glm::vec4 ambient_fog_color;           ///< rgb linear, w 0
+  std::array<glm::vec4, 2> phase_lobes;  ///< as litfog_packed_lobe() of litfog/shaders/phase.glsl makes them
 };
 
 inline constexpr std::size_t kMaxFogLights =
@@ -54,9 +55,10 @@ struct FogLightBlock {
 static_assert(offsetof(FogLightKind, cone_scale_intensity) == 16 && sizeof(FogLightKind) == 32);
 static_assert(offsetof(FogLightInstance, axis_profile) == 16 && offsetof(FogLightInstance, color) == 32 &&
               sizeof(FogLightInstance) == 48);
-static_assert(offsetof(FogHeader, ambient_fog_color) == 16 && sizeof(FogHeader) == 32);
-static_assert(offsetof(FogLightBlock, kinds) == 32 && offsetof(FogLightBlock, instances) == 32 + kMaxFogLights * 32 &&
-              sizeof(FogLightBlock) == 32 + kMaxFogLights * 80 && sizeof(FogLightBlock) <= 16384);
+static_assert(offsetof(FogHeader, ambient_fog_color) == 16 && offsetof(FogHeader, phase_lobes) == 32 &&
+              sizeof(FogHeader) == 64);
+static_assert(offsetof(FogLightBlock, kinds) == 64 && offsetof(FogLightBlock, instances) == 64 + kMaxFogLights * 32 &&
+              sizeof(FogLightBlock) == 64 + kMaxFogLights * 80 && sizeof(FogLightBlock) <= 16384);
 
 /// The kind of a light. The intensity is stored for carried lights only: Hales's term presumes a light near the eye.
 ///

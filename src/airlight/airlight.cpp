@@ -20,6 +20,7 @@ namespace {
 
 using airlight_text::NoCookie;
 using airlight_text::Text;
+using phase_text::pack;
 
 void require_all(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray) {
   require(find_error(light));
@@ -59,13 +60,14 @@ double exact_airlight(const SeenLight& seen, const EyeRay& ray) {
       level_range(convert<long double>(light.attenuation), static_cast<long double>(light.threshold)).high;
   return double(integrate_airlight(
       Exact{NoCookie{}},
-      Exact::seen_along(seen.light, extent, seen.class_fog, ray, seen.lamp_leg, convert<long double>(seen.phase))));
+      Exact::seen_along(seen.light, extent, seen.class_fog, ray, seen.lamp_leg, pack<long double>(seen.phase))));
 }
 
 double fast_airlight(const SeenLight& seen, const EyeRay& ray) {
   if (!seen.is_ordinary()) return exact_airlight(seen, ray);
   Text<double, NoCookie> text{NoCookie{}};
-  return text.litfog_airlight(text.seen_along(seen.light, seen.extent, seen.class_fog, ray, seen.lamp_leg, seen.phase));
+  return text.litfog_airlight(
+      text.seen_along(seen.light, seen.extent, seen.class_fog, ray, seen.lamp_leg, pack<double>(seen.phase)));
 }
 
 /// axial_airlight of checked arguments, beyond the plateau panel by panel, each eight times as long as the one before.

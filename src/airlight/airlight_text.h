@@ -36,10 +36,10 @@ glm::vec<3, Real> cross_without_cancellation(const glm::vec<3, Real>& a, const g
 
 /// Cookie  called with a distance along the ray from its closest approach to the light: the fraction of the light's
 ///         axial intensity there, for LITFOG_PROFILE_COOKIE
-/// Lobe    a phase function; those of litfog/shaders/phase.glsl for it are found in its namespace
-template <typename Real, typename Cookie, typename Lobe = BasicPhase<Real>>
+/// Shape   a phase function; those of litfog/shaders/phase.glsl for it are found in its namespace
+template <typename Real, typename Cookie, typename Shape = PackedPhase<Real>>
 struct Text {
-  using LitfogPhase = Lobe;
+  using LitfogPhase = Shape;
   const Cookie& cookie;
 
   struct LitfogAirlight;
@@ -98,7 +98,7 @@ struct Text {
     const Real range = litfog_airlight_range(air, air.approach);
     const bool is_dark = air.ray_length == 0 || range >= air.extent || (air.lamp_leg != 0 && range > 0);
     if (is_dark) return 0;
-    const Real phase = litfog_phase(air.phase, range > 0 ? air.approach / range : Real(-1));
+    const Real phase = litfog_phase(air.phase, range > 0 ? litfog_airlight_versine(air, -air.approach, range) : Real(2));
     // With the eye in the lamp itself f dims both legs alike: the integral of -f' f is 1/2.
     const Real through = air.lamp_leg != 0 ? Real(0.5) : Real(1);
     return through * formulas::attenuation(range, air.constant, air.linear, air.quadratic) * phase *

@@ -68,12 +68,19 @@ LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, peak_range);
 LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, extent);
 LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, status);
 
+LITFOG_COUNTERPART(litfog_phase_lobe, PhaseLobe);
+LITFOG_MEMBER(litfog_phase_lobe, PhaseLobe, asymmetry);
+LITFOG_MEMBER(litfog_phase_lobe, PhaseLobe, alpha);
+
 LITFOG_COUNTERPART(litfog_phase, Phase);
-LITFOG_MEMBER(litfog_phase, Phase, asymmetry);
+LITFOG_MEMBER(litfog_phase, Phase, first);
+LITFOG_MEMBER(litfog_phase, Phase, second);
+LITFOG_MEMBER(litfog_phase, Phase, weight);
 
 LITFOG_COUNTERPART(litfog_atmosphere, Atmosphere);
 LITFOG_MEMBER(litfog_atmosphere, Atmosphere, fog);
 LITFOG_MEMBER(litfog_atmosphere, Atmosphere, phase);
+LITFOG_MEMBER(litfog_atmosphere, Atmosphere, albedo);
 LITFOG_MEMBER(litfog_atmosphere, Atmosphere, top);
 LITFOG_MEMBER(litfog_atmosphere, Atmosphere, ambient_fog_color);
 
@@ -94,6 +101,7 @@ LITFOG_MEMBER(litfog_fog_light_instance, FogLightInstance, color);
 LITFOG_COUNTERPART(litfog_fog_header, FogHeader);
 LITFOG_MEMBER(litfog_fog_header, FogHeader, fog);
 LITFOG_MEMBER(litfog_fog_header, FogHeader, ambient_fog_color);
+LITFOG_MEMBER(litfog_fog_header, FogHeader, phase_lobes);
 
 LITFOG_COUNTERPART(litfog_fog_light_block, FogLightBlock);
 LITFOG_MEMBER(litfog_fog_light_block, FogLightBlock, header);

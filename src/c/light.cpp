@@ -34,6 +34,10 @@ litfog_status litfog_fog_from_visibility(int32_t mode, double metres, double con
       [&] { c::at(fog, "fog") = c::to_c<litfog_fog>(Fog::from_visibility(c::fog_mode(mode), metres, contrast)); });
 }
 
+litfog_status litfog_phase_droplets(double micrometres, litfog_phase* phase) {
+  return c::call([&] { c::at(phase, "phase") = c::to_c<litfog_phase>(Phase::droplets(micrometres)); });
+}
+
 litfog_status litfog_default_light(litfog_light* light) {
   return c::call([&] { c::at(light, "light") = c::light_of({}); });
 }

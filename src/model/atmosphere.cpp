@@ -10,6 +10,9 @@ namespace litfog {
 std::optional<ValueError> find_error(const Atmosphere& atmosphere) {
   if (const auto error = find_error(atmosphere.fog)) return error;
   if (const auto error = find_error(atmosphere.phase)) return error;
+  if (!(atmosphere.albedo >= 0 && atmosphere.albedo <= 1)) {
+    return ValueError{"albedo", atmosphere.albedo, "must be in [0, 1]"};
+  }
   if (std::isnan(atmosphere.top)) return ValueError{"top", atmosphere.top, "must be a number"};
   return check_color(atmosphere.ambient_fog_color,
                      {"ambient_fog_color.r", "ambient_fog_color.g", "ambient_fog_color.b"});

@@ -1,28 +1,65 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/phase.h"
 
-#include <algorithm>
+#include <charconv>
+#include <cmath>
 
 #include "model/phase_text.h"
+#include "model/require.h"
 
 namespace litfog {
+namespace {
+
+/// The number after a prefix; nothing where the text is not the prefix and a number.
+std::optional<double> number_after(std::string_view prefix, std::string_view text) {
+  if (!text.starts_with(prefix)) return std::nullopt;
+  double number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [parsed, error] = std::from_chars(text.data() + prefix.size(), end, number);
+  return error == std::errc{} && parsed == end ? std::optional(number) : std::nullopt;
+}
+
+}  // namespace
+
+Phase Phase::droplets(double micrometres) {
+  const double d = micrometres;
+  if (!(d >= kSmallestDroplets && d <= kLargestDroplets)) require(ValueError{"micrometres", d, "must be in [5, 50]"});
+  return {.first = {.asymmetry = std::exp(-2.20679 / (d + 3.91029) - 0.428934),
+                    .alpha = std::exp(3.62489 - 8.29288 / (d + 5.52825))},
+          .second = {.asymmetry = std::exp(-0.0990567 / (d - 1.67154))},
+          .weight = std::exp(-0.599085 / (d - 0.641583) - 0.665888)};
+}
 
 std::optional<ValueError> find_error(const Phase& phase) {
-  if (!(phase.asymmetry > -1 && phase.asymmetry < 1)) return ValueError{"asymmetry", phase.asymmetry, kAsymmetryRule};
+  for (const PhaseLobe& lobe : {phase.first, phase.second}) {
+    if (!(lobe.asymmetry > -1 && lobe.asymmetry < 1)) {
+      return ValueError{"asymmetry", lobe.asymmetry, kAsymmetryRule};
+    }
+    if (!(lobe.alpha >= 0 && lobe.alpha <= 1e6)) return ValueError{"alpha", lobe.alpha, "must be in [0, 1e6]"};
+  }
+  if (!(phase.weight >= 0 && phase.weight <= 1)) return ValueError{"weight", phase.weight, "must be in [0, 1]"};
   return std::nullopt;
 }
 
-bool is_isotropic(const Phase& phase) { return phase_text::litfog_is_isotropic(phase); }
-
-double phase_at(const Phase& phase, double cosine) { return phase_text::litfog_phase(phase, cosine); }
-
-double largest_phase(const Phase& phase, double lowest, double highest) {
-  return phase_text::litfog_largest_phase(phase, lowest, highest);
+std::optional<Phase> phase_named(std::string_view name) {
+  if (name == "isotropic") return Phase{};
+  if (const auto asymmetry = number_after("hg:", name)) {
+    const Phase phase = Phase::henyey_greenstein(*asymmetry);
+    return find_error(phase) ? std::nullopt : std::optional(phase);
+  }
+  const auto diameter = number_after("droplets:", name);
+  if (!diameter || !(*diameter >= kSmallestDroplets && *diameter <= kLargestDroplets)) return std::nullopt;
+  return Phase::droplets(*diameter);
 }
 
-PhaseF to_floats(const Phase& phase) {
-  constexpr float kMax = 0x1.fffffep-1f;
-  return {.asymmetry = std::clamp(float(phase.asymmetry), -kMax, kMax)};
+bool is_isotropic(const Phase& phase) { return phase_text::litfog_is_isotropic(phase_text::pack<double>(phase)); }
+
+double phase_at(const Phase& phase, double cosine) {
+  return phase_text::litfog_phase(phase_text::pack<double>(phase), 1 - cosine);
+}
+
+double largest_phase(const Phase& phase, double lowest, double highest) {
+  return phase_text::litfog_largest_phase(phase_text::pack<double>(phase), 1 - highest, 1 - lowest);
 }
 
 }  // namespace litfog

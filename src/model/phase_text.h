@@ -6,23 +6,35 @@
 
 #include "litfog/phase.h"
 
-namespace litfog {
-
-template <typename Real>
-BasicPhase<Real> convert(const Phase& phase) {
-  return {Real(phase.asymmetry)};
-}
-
 /// The phase function's formulas as C++: the text that the shaders share, for any scalar.
-namespace phase_text {
+namespace litfog::phase_text {
 
 using std::abs, std::max, std::sqrt;
 
+/// As in litfog/shaders/phase.glsl.
+template <typename Real>
+struct PackedLobe {
+  Real base, slope, scale, alpha;
+};
+template <typename Real>
+struct PackedPhase {
+  PackedLobe<Real> first, second;
+};
+
 #define LITFOG_REAL Real
 #define LITFOG_FUNCTION template <typename Real>
-#define LitfogPhase BasicPhase<Real>
+#define LitfogPhaseLobe PackedLobe<Real>
+#define LitfogPhase PackedPhase<Real>
 #include "litfog/shaders/phase.glsl"  // undefines the first two
+#undef LitfogPhaseLobe
 #undef LitfogPhase
 
-}  // namespace phase_text
-}  // namespace litfog
+template <typename Real>
+PackedPhase<Real> pack(const Phase& phase) {
+  const auto lobe = [](const PhaseLobe& of, Real weight) {
+    return litfog_packed_lobe(Real(of.asymmetry), Real(of.alpha), weight);
+  };
+  return {lobe(phase.first, Real(phase.weight)), lobe(phase.second, 1 - Real(phase.weight))};
+}
+
+}  // namespace litfog::phase_text

@@ -56,7 +56,7 @@ double evaluate(const PlacedLight& light, const Cookie& cookie, const glm::dmat3
   Text<Real, CookieOnRay> text{on_ray};
   const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold);
   auto air = text.seen_along(light, Real(extent), unchecked::scaled(atmosphere.fog, light.light.density_scale), ray,
-                             lamp_leg, convert<Real>(atmosphere.phase));
+                             lamp_leg, phase_text::pack<Real>(atmosphere.phase));
   air.profile = Real(LITFOG_PROFILE_COOKIE);
   return double(std::isinf(air.density) ? text.at_the_eye(air) : evaluate_text(text, air));
 }

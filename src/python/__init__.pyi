@@ -79,17 +79,34 @@ class Fog:
     @staticmethod
     def from_visibility(mode: FogMode, metres: float, contrast: float = ...) -> Fog: ...
 
-class Phase:
+class PhaseLobe:
     asymmetry: float
-    def __init__(self, asymmetry: float = 0.0) -> None: ...
+    alpha: float
+    def __init__(self, asymmetry: float = 0.0, alpha: float = 0.0) -> None: ...
+
+class Phase:
+    first: PhaseLobe
+    second: PhaseLobe
+    weight: float
+    def __init__(self, first: PhaseLobe = ..., second: PhaseLobe = ..., weight: float = 1.0) -> None: ...
+    @staticmethod
+    def henyey_greenstein(asymmetry: float) -> Phase: ...
+    @staticmethod
+    def droplets(micrometres: float) -> Phase: ...
 
 class Atmosphere:
     fog: Fog
     phase: Phase
+    albedo: float
     top: float
     ambient_fog_color: Sequence[float]
     def __init__(
-        self, fog: Fog = ..., phase: Phase = ..., top: float = ..., ambient_fog_color: Sequence[float] = ...
+        self,
+        fog: Fog = ...,
+        phase: Phase = ...,
+        albedo: float = 1.0,
+        top: float = ...,
+        ambient_fog_color: Sequence[float] = ...,
     ) -> None: ...
 
 class Attenuation:

@@ -429,22 +429,39 @@ void bind_lights(py::module_& m) {
                   "The fog of a visibility: metres >= 0, infinity is no fog; contrast in (0, 1) is what is left of a\n"
                   "dark object's contrast at that range. ValueError with field, value and rule.");
   make_record(fog, {"mode", "density"});
-  py::class_<Phase> phase(m, "Phase", "A phase function, Henyey and Greenstein's. asymmetry: g, in (-1, 1).");
-  phase.def(py::init([](double asymmetry) { return Phase{asymmetry}; }), py::arg("asymmetry") = 0.)
-      .def_readwrite("asymmetry", &Phase::asymmetry, "(-1, 1); 0 is isotropic, > 0 forward");
-  make_record(phase, {"asymmetry"});
+  py::class_<PhaseLobe> lobe(m, "PhaseLobe", "A lobe of a phase function, Draine's.");
+  lobe.def(py::init([](double asymmetry, double alpha) { return PhaseLobe{asymmetry, alpha}; }),
+           py::arg("asymmetry") = 0., py::arg("alpha") = 0.)
+      .def_readwrite("asymmetry", &PhaseLobe::asymmetry, "g, (-1, 1); > 0 forward")
+      .def_readwrite("alpha", &PhaseLobe::alpha, "[0, 1e6]; 0 is Henyey and Greenstein's function");
+  make_record(lobe, {"asymmetry", "alpha"});
+  py::class_<Phase> phase(m, "Phase", "A phase function of two lobes; by default isotropic.");
+  phase
+      .def(py::init([](const PhaseLobe& first, const PhaseLobe& second, double weight) {
+             return Phase{first, second, weight};
+           }),
+           py::arg("first") = PhaseLobe{}, py::arg("second") = PhaseLobe{}, py::arg("weight") = 1.)
+      .def_readwrite("first", &Phase::first, "PhaseLobe")
+      .def_readwrite("second", &Phase::second, "PhaseLobe")
+      .def_readwrite("weight", &Phase::weight, "[0, 1], of the first lobe; the second has the rest")
+      .def_static("henyey_greenstein", &Phase::henyey_greenstein, py::arg("asymmetry"), "One lobe, g in (-1, 1).")
+      .def_static("droplets", &Phase::droplets, py::arg("micrometres"),
+                  "Fog of water droplets of a diameter, 5 to 50. ValueError with field, value and rule.");
+  make_record(phase, {"first", "second", "weight"});
   py::class_<Atmosphere> atmosphere(m, "Atmosphere", "All that the air is.");
   atmosphere
-      .def(py::init([](const Fog& air_fog, const Phase& air_phase, double top, const glm::dvec3& ambient_fog_color) {
-             return Atmosphere{air_fog, air_phase, top, ambient_fog_color};
+      .def(py::init([](const Fog& air_fog, const Phase& air_phase, double albedo, double top,
+                       const glm::dvec3& ambient_fog_color) {
+             return Atmosphere{air_fog, air_phase, albedo, top, ambient_fog_color};
            }),
-           py::arg("fog") = Fog{}, py::arg("phase") = Phase{}, py::arg("top") = Atmosphere{}.top,
-           py::arg("ambient_fog_color") = glm::dvec3(0))
+           py::arg("fog") = Fog{}, py::arg("phase") = Phase{}, py::arg("albedo") = Atmosphere{}.albedo,
+           py::arg("top") = Atmosphere{}.top, py::arg("ambient_fog_color") = glm::dvec3(0))
       .def_readwrite("fog", &Atmosphere::fog, "Fog")
       .def_readwrite("phase", &Atmosphere::phase, "Phase")
+      .def_readwrite("albedo", &Atmosphere::albedo, "[0, 1]: the fraction of the light taken by the fog that it scatters")
       .def_readwrite("top", &Atmosphere::top, "metres: height at which rays to the sky leave the fog")
       .def_readwrite("ambient_fog_color", &Atmosphere::ambient_fog_color, "linear RGB, finite, >= 0");
-  make_record(atmosphere, {"fog", "phase", "top", "ambient_fog_color"});
+  make_record(atmosphere, {"fog", "phase", "albedo", "top", "ambient_fog_color"});
   m.def(
       "density_from_visibility",
       [](FogMode mode, const py::object& metres, double contrast) {

@@ -6,6 +6,7 @@
 
 #include "fog_light_count.h"
 #include "model/packed_cone.h"
+#include "model/phase_text.h"
 #include "model/require.h"
 #include "model/unchecked.h"
 
@@ -53,8 +54,13 @@ FogHeader pack_fog_header(const Atmosphere& atmosphere, std::size_t instances) {
   require(find_error(atmosphere));
   require_fog_light_count("instances", instances);
   const Fog& fog = atmosphere.fog;
-  return {.fog = {finite_float(fog.density), float(fog.mode), float(instances), 0.0f},
-          .ambient_fog_color = glm::vec4(finite_floats(atmosphere.ambient_fog_color), 0.0f)};
+  const auto phase = phase_text::pack<double>(atmosphere.phase);
+  const auto floats = [](const phase_text::PackedLobe<double>& lobe) {
+    return glm::vec4(lobe.base, lobe.slope, lobe.scale, lobe.alpha);
+  };
+  return {.fog = {finite_float(fog.density), float(fog.mode), float(instances), float(atmosphere.albedo)},
+          .ambient_fog_color = glm::vec4(finite_floats(atmosphere.ambient_fog_color), 0.0f),
+          .phase_lobes = {floats(phase.first), floats(phase.second)}};
 }
 
 FogLightBlock pack_fog_light_block(const Atmosphere& atmosphere, std::span<const PlacedLight> lights,

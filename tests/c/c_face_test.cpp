@@ -73,7 +73,7 @@ class CFace : public testing::Test {
  protected:
   Random random_{15};
   const litfog_fog fog_{LITFOG_FOG_EXP2, 0.002};
-  const litfog_atmosphere air_{fog_, {0}, kInfinity, {0, 0, 0}};
+  const litfog_atmosphere air_{fog_, {{0, 0}, {0, 0}, 1}, 1, kInfinity, {0, 0, 0}};
   const Fog cpp_fog_{FogMode::exp2, 0.002};
 };
 
@@ -128,13 +128,13 @@ TEST_F(CFace, FlashesAreThoseOfCpp) {
 }
 
 TEST_F(CFace, AirlightsAreThoseOfCpp) {
-  const litfog_atmosphere air{fog_, {0.3}, kInfinity, {0, 0, 0}};
+  const litfog_atmosphere air{fog_, {{0.3, 0.5}, {-0.2, 0}, 0.6}, 0.9, kInfinity, {0, 0, 0}};
   const litfog_eye_ray rays[] = {{{0, 0, 0}, {0, 0, -1}, kInfinity}, {{1, 2, 3}, {0, 1, 0}, 40}};
   for (int i = 0; i < 50; ++i) {
     const Twins twins = random_twins(random_);
     double found[2];
     ASSERT_EQ(litfog_airlight(&twins.c, &air, rays, 2, LITFOG_LAMP_LEG_CLEAR, found), LITFOG_OK) << litfog_last_error();
-    const Atmosphere same{.fog = cpp_fog_, .phase = {0.3}};
+    const Atmosphere same{.fog = cpp_fog_, .phase = {{0.3, 0.5}, {-0.2, 0}, 0.6}, .albedo = 0.9};
     EXPECT_EQ(found[0], airlight(twins.cpp, same, EyeRay{}, LampLeg::clear));
     EXPECT_EQ(found[1], airlight(twins.cpp, same, {{1, 2, 3}, {0, 1, 0}, 40}, LampLeg::clear));
     ASSERT_EQ(litfog_airlight(&twins.c, &air, rays, 1, LITFOG_LAMP_LEG_FOGGED, found), LITFOG_OK);
@@ -260,7 +260,7 @@ TEST_F(CFace, PackedBlockIsThatOfCpp) {
     c_lights.push_back(twins.c);
     solutions.push_back(solve_fog_intensity(twins.cpp.light, cpp_fog_));
   }
-  const litfog_atmosphere air{fog_, {0}, kInfinity, {0.1, 0.2, 0.3}};
+  const litfog_atmosphere air{fog_, {{0, 0}, {0, 0}, 1}, 1, kInfinity, {0.1, 0.2, 0.3}};
   litfog_fog_light_block block;
   ASSERT_EQ(litfog_pack_fog_light_block(&air, c_lights.data(), c_lights.size(), &block), LITFOG_OK);
   const FogLightBlock expected =
@@ -418,6 +418,11 @@ TEST_F(CFace, ValuesThatBreakTheirRuleAreRefusedAndResultsLeftAlone) {
   EXPECT_EQ(fog.density, -1);
   ASSERT_EQ(litfog_fog_from_visibility(LITFOG_FOG_EXP, 0, LITFOG_CONTRAST_MOR, &fog), LITFOG_OK);
   EXPECT_EQ(fog.density, kInfinity);
+  litfog_phase phase{};
+  ASSERT_EQ(litfog_phase_droplets(20, &phase), LITFOG_OK);
+  EXPECT_EQ(phase.second.asymmetry, Phase::droplets(20).second.asymmetry);
+  EXPECT_EQ(litfog_phase_droplets(4, &phase), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "micrometres = 4: must be in [5, 50]");
 
   litfog_light_clusters* clusters = nullptr;
   ASSERT_EQ(litfog_light_clusters_create(nullptr, &clusters), LITFOG_OK);
@@ -528,7 +533,7 @@ TEST_F(CFace, AnyNumbersAreTakenOrRefused) {
     const litfog_fog fog{random_.below(random_.chance(0.1) ? 4 : 2), number()};
     litfog_eye_ray ray{{0, 0, 0}, {0, 0, -1}, number()};
     if (random_.chance(0.1)) fill(ray.direction);
-    const litfog_atmosphere air{fog, {random_.uniform(-1.1, 1.1)}, number(), {number(), 0, 0}};
+    const litfog_atmosphere air{fog, {{random_.uniform(-1.1, 1.1), 0}, {0, 0}, random_.uniform(0, 1)}, 1, number(), {number(), 0, 0}};
 
     const bool is_light = litfog_check_light(&light.light) == LITFOG_OK;
     const bool is_placed = litfog_check_placed_light(&light) == LITFOG_OK;

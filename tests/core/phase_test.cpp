@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <stdexcept>
 #include <string>
 
-#include "model/phase_text.h"
 #include "reference/digits50.h"
 #include "reference/double_limits.h"
-#include "reference/random_light.h"
+#include "reference/random_airlight.h"
 #include "reference/ulp.h"
 
 namespace litfog::test {
@@ -19,70 +19,136 @@ namespace {
 
 using boost::math::quadrature::gauss_kronrod;
 
-Digits50 exact_phase(double g, double cosine) {
-  const Digits50 exact_g = g;
-  const Digits50 base = 1 + exact_g * exact_g - 2 * exact_g * Digits50(cosine);
-  return (1 - exact_g * exact_g) / (base * sqrt(base));
+Digits50 exact_lobe(const PhaseLobe& lobe, double cosine) {
+  const Digits50 g = lobe.asymmetry, alpha = lobe.alpha, mu = cosine;
+  const Digits50 base = 1 + g * g - 2 * g * mu;
+  return (1 - g * g) / (base * sqrt(base)) * (1 + alpha * mu * mu) / (1 + alpha * (1 + 2 * g * g) / 3);
 }
 
-TEST(Phase, LightIsSpreadOverAllAnglesWithTheAsymmetryAsItsMeanCosine) {
+Digits50 exact_phase(const Phase& phase, double cosine) {
+  const Digits50 weight = phase.weight;
+  return weight * exact_lobe(phase.first, cosine) + (1 - weight) * exact_lobe(phase.second, cosine);
+}
+
+/// The mean over all directions of a function of the cosine times a phase function.
+template <typename Function>
+double mean(const Phase& phase, const Function& function) {
+  return gauss_kronrod<double, 61>::integrate(
+             [&](double versine) { return function(1 - versine) * phase_at(phase, 1 - versine); }, 0, 2, 20, 1e-13) /
+         2;
+}
+
+TEST(Phase, LightIsSpreadOverAllAngles) {
+  Random random(92);
+  for (int i = 0; i < 200; ++i) {
+    const Phase phase = draw_phase(random);
+    EXPECT_NEAR(mean(phase, [](double) { return 1; }), 1, 1e-10);
+  }
+}
+
+TEST(Phase, AsymmetryOfHenyeyAndGreensteinIsTheMeanCosine) {
   for (const double g : {-0.9, -0.3, 0.0, 0.5, 0.95}) {
-    const Phase phase{g};
-    const auto mean = [&](auto function) {
-      return gauss_kronrod<double, 61>::integrate(
-                 [&](double cosine) { return function(cosine) * phase_at(phase, cosine); }, -1, 1, 15, 1e-13) /
-             2;
-    };
-    EXPECT_NEAR(mean([](double) { return 1; }), 1, 1e-12) << g;
-    EXPECT_NEAR(mean([](double cosine) { return cosine; }), g, 1e-12) << g;
+    const Phase phase = Phase::henyey_greenstein(g);
+    EXPECT_NEAR(mean(phase, [](double cosine) { return cosine; }), g, 1e-12) << g;
     EXPECT_EQ(is_isotropic(phase), g == 0) << g;
+  }
+}
+
+TEST(Phase, AlphaOfOneIsCornetteAndShanksAndRayleigh) {
+  for (const double cosine : {-1.0, -0.3, 0.0, 0.7, 1.0}) {
+    EXPECT_NEAR(phase_at({.first = {.alpha = 1}}, cosine), 0.75 * (1 + cosine * cosine), 1e-15);
+    constexpr double g = 0.6;
+    const double expected =
+        1.5 * (1 - g * g) / (2 + g * g) * (1 + cosine * cosine) / std::pow(1 + g * g - 2 * g * cosine, 1.5);
+    EXPECT_NEAR(phase_at({.first = {g, 1}}, cosine), expected, 1e-14 * expected);
+  }
+}
+
+// Johannes Jendersie and Eugene d'Eon 2023, section 4: droplets scatter nearly all light ahead, larger ones more.
+TEST(Phase, DropletsScatterAhead) {
+  double before = 0;
+  for (const double micrometres : {5.0, 10.0, 20.0, 50.0}) {
+    const Phase phase = Phase::droplets(micrometres);
+    ASSERT_FALSE(find_error(phase));
+    const double mean_cosine = mean(phase, [](double cosine) { return cosine; });
+    EXPECT_GT(mean_cosine, before) << micrometres;
+    EXPECT_NEAR(mean_cosine, 0.85, 0.05) << micrometres;
+    before = mean_cosine;
+  }
+  const Phase phase = Phase::droplets(10);
+  EXPECT_NEAR(phase.first.asymmetry, std::exp(-2.20679 / 13.91029 - 0.428934), 1e-15);
+  EXPECT_NEAR(phase.first.alpha, std::exp(3.62489 - 8.29288 / 15.52825), 1e-14);
+  EXPECT_NEAR(phase.second.asymmetry, std::exp(-0.0990567 / 8.32846), 1e-15);
+  EXPECT_NEAR(phase.weight, std::exp(-0.599085 / 9.358417 - 0.665888), 1e-15);
+}
+
+TEST(Phase, ValueHasFifteenDigitsButForTheCosineItself) {
+  Random random(93);
+  for (int i = 0; i < 20'000; ++i) {
+    const Phase phase = draw_phase(random);
+    const double cosine = random.uniform(-1, 1);
+    EXPECT_LE(relative_error(phase_at(phase, cosine), exact_phase(phase, cosine)), 1e-10);
   }
 }
 
 TEST(Phase, LargestValueBetweenTwoCosinesHasItsStatedError) {
   Random random(91);
-  WorstError error("largest_phase", "|g| < 1", kLargestPhaseMaxError, "relative");
+  WorstError error("largest_phase", "one lobe", kLargestPhaseMaxError, "relative");
   for (int i = 0; i < 20'000; ++i) {
-    const double size = random.chance(0.5) ? random.uniform(0, 1) : 1 - random.log_uniform(1e-12, 1);
-    const Phase phase{random.chance(0.5) ? -size : size};
+    Phase phase = draw_phase(random);
+    phase.weight = 1;
     const auto draw = [&] {
       const double off = random.chance(0.3) ? 0 : random.log_uniform(1e-15, 2);
       return random.chance(0.5) ? 1 - off : off - 1;
     };
     const double a = draw(), b = draw();
     const double lowest = std::min(a, b), highest = std::max(a, b);
-    const Digits50 expected = std::max(exact_phase(phase.asymmetry, lowest), exact_phase(phase.asymmetry, highest));
+    const Digits50 expected = std::max(exact_phase(phase, lowest), exact_phase(phase, highest));
     error.add(relative_error(largest_phase(phase, lowest, highest), expected),
-              [&] { return std::to_string(phase.asymmetry); });
-    ASSERT_LE(exact_phase(phase.asymmetry, lowest + random.uniform(0, 1) * (highest - lowest)), expected);
+              [&] { return std::to_string(phase.first.asymmetry); });
+    ASSERT_LE(exact_phase(phase, lowest + random.uniform(0, 1) * (highest - lowest)), expected);
   }
   error.check();
   EXPECT_EQ(largest_phase({}), 1);
-  for (const double g : {0.5, -0.5}) EXPECT_EQ(largest_phase({g}), 6) << g;
+  for (const double g : {0.5, -0.5}) EXPECT_EQ(largest_phase(Phase::henyey_greenstein(g)), 6) << g;
 }
 
-TEST(Phase, DepthsMakeUpForTheLargestValueOnEitherSide) {
-  for (int i = -900; i <= 900; ++i) {
-    const Phase phase{i / 1000.};
-    EXPECT_GE(phase_text::litfog_forward_depths(phase), std::log(largest_phase(phase, 0, 1))) << phase.asymmetry;
-    EXPECT_GE(phase_text::litfog_backward_depths(phase), std::log(largest_phase(phase, -1, 0))) << phase.asymmetry;
+TEST(Phase, LargestValueOfTwoLobesIsNeverBelowTheirSum) {
+  Random random(94);
+  for (int i = 0; i < 20'000; ++i) {
+    const Phase phase = draw_phase(random);
+    const double a = random.uniform(-1, 1), b = random.uniform(-1, 1);
+    const double between = random.uniform(std::min(a, b), std::max(a, b));
+    ASSERT_GE(largest_phase(phase, std::min(a, b), std::max(a, b)) * (1 + 1e-10), phase_at(phase, between));
   }
 }
 
-TEST(Phase, AsymmetryInFloatsStaysBelowOne) {
-  EXPECT_EQ(to_floats({0.3}).asymmetry, 0.3f);
-  EXPECT_LT(to_floats({0.99999999}).asymmetry, 1);
-  EXPECT_GT(to_floats({-0.99999999}).asymmetry, -1);
+TEST(Phase, NamesAreThoseOfTheRule) {
+  EXPECT_EQ(phase_named("isotropic"), Phase{});
+  EXPECT_EQ(phase_named("hg:0.85"), Phase::henyey_greenstein(0.85));
+  EXPECT_EQ(phase_named("hg:-0.5"), Phase::henyey_greenstein(-0.5));
+  EXPECT_EQ(phase_named("droplets:20"), Phase::droplets(20));
+  for (const char* wrong : {"", "hg", "hg:", "hg:1", "hg:nan", "hg:0.5 ", "droplets:4.9", "droplets:51", "droplets:x",
+                            "Isotropic", "rayleigh"}) {
+    EXPECT_EQ(phase_named(wrong), std::nullopt) << wrong;
+  }
 }
 
-TEST(Phase, WrongAsymmetryIsAnError) {
+TEST(Phase, WrongMembersAreErrors) {
+  const auto error_of = [](const Phase& phase) {
+    const auto error = find_error(phase);
+    return error ? to_string(*error) : "";
+  };
   for (const double g : {-1.0, 1.0, kNan}) {
-    const auto error = find_error(Phase{g});
-    ASSERT_TRUE(error) << g;
-    EXPECT_STREQ(error->field, "asymmetry");
-    EXPECT_STREQ(error->rule, "must be in (-1, 1)");
+    EXPECT_TRUE(error_of(Phase::henyey_greenstein(g)).ends_with(": must be in (-1, 1)")) << g;
+    EXPECT_TRUE(error_of({.second = {.asymmetry = g}}).starts_with("asymmetry = ")) << g;
   }
-  EXPECT_FALSE(find_error(Phase{0.999}));
+  EXPECT_EQ(error_of({.first = {.alpha = -1}}), "alpha = -1: must be in [0, 1e6]");
+  EXPECT_EQ(error_of({.weight = 1.5}), "weight = 1.5: must be in [0, 1]");
+  EXPECT_EQ(error_of(Phase::henyey_greenstein(0.999)), "");
+  for (const double micrometres : {4.9, 50.1, kNan}) {
+    EXPECT_THROW(Phase::droplets(micrometres), std::invalid_argument) << micrometres;
+  }
 }
 
 }  // namespace

@@ -106,7 +106,7 @@ class FogLightBuffer : public GlTest {
   }
 
   static std::vector<glm::vec4> expected(const FogUpdater& updater) {
-    const auto [fog, ambient] = header(updater);
+    const auto [fog, ambient, lobes] = header(updater);
     std::vector<glm::vec4> values{fog, ambient};
     for (std::size_t i = 0; i < updater.instances().size(); ++i) {
       values.push_back(updater.kinds()[i].cone_scale_intensity);

@@ -32,7 +32,7 @@ TEST(MeasureAirlightBound, BoundIsNeverBelowTheAirlight) {
     const FogMode mode = random.pick(kModes);
     AirlightCase c = random.chance(0.5) ? draw_airlight_case(random, mode, LampLeg::fogged)
                                         : draw_spot_airlight_case(random, mode, LampLeg::fogged);
-    if (random.chance(0.3)) c.atmosphere.phase.asymmetry = random.uniform(-0.9, 0.9);
+    c.atmosphere.phase = draw_phase(random);
     const double bound = measure::airlight_bound(reference_light(c.light, c.atmosphere.fog), c.ray, c.atmosphere.phase);
     const double airlight = reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
     ASSERT_GE(bound + kRounding, airlight * (1 - kQuadrature)) << to_string(c);

@@ -584,7 +584,7 @@ TEST_F(ReferencePictureTest, AirlightOfALampAtTheEyeToTheLastBitIsThatOfTheRefer
 TEST_F(ReferencePictureTest, AirlightOfForwardAndBackwardScatteringFogIsThatOfTheReference) {
   for (const double asymmetry : {-0.8, 0.8}) {
     Scene scene = floor_and_lamp(bright_lamp());
-    scene.atmosphere.phase.asymmetry = asymmetry;
+    scene.atmosphere.phase.first.asymmetry = asymmetry;
     expect_airlight_of_reference(scene, fmt::format("g = {}", asymmetry));
   }
 }
@@ -594,7 +594,7 @@ TEST_F(ReferencePictureTest, AirlightOfForwardAndBackwardScatteringFogIsThatOfTh
 TEST_F(ReferencePictureTest, AirlightOfDirectionalFogAtEdgesIsThatOfTheReference) {
   for (const double g : {0.8, -0.8}) {
     Scene scene = read_scene(bundled_scene_path("street"));
-    scene.atmosphere.phase.asymmetry = g;
+    scene.atmosphere.phase.first.asymmetry = g;
     Renderer renderer(scene, 48, 27, by_airlight());
     const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp2, 1500));
     fmt::print("g {:4.1f}: largest {:6.3f}, {} excluded\n", g, error.largest, error.excluded);

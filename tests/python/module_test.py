@@ -84,7 +84,7 @@ class SolveTest(unittest.TestCase):
     def test_values_are_read_back_from_repr_and_pickle(self):
         light = litfog.Light("a", (1, 0.5, 0), litfog.Attenuation(0.5, 0.1, 2), 0.1, litfog.Cone.cosine(0.3, 7), 0.4)
         placed = litfog.PlacedLight(light, (1, 2, 3), (1, 0, 0), True)
-        for value in (placed, litfog.Fog(litfog.FogMode.exp2, 0.25), litfog.Atmosphere(litfog.Fog(density=1), litfog.Phase(0.5), 7)):
+        for value in (placed, litfog.Fog(litfog.FogMode.exp2, 0.25), litfog.Atmosphere(litfog.Fog(density=1), litfog.Phase.henyey_greenstein(0.5), top=7)):
             self.assertEqual(repr(eval(repr(value))), repr(value))
             self.assertEqual(repr(pickle.loads(pickle.dumps(value))), repr(value))
             self.assertEqual(repr(copy.deepcopy(value)), repr(value))
@@ -446,7 +446,7 @@ class AirlightTest(unittest.TestCase):
         np.testing.assert_array_equal(out, airlights)
         single = litfog.airlight(self.light, self.air, rays[0, :1])
         self.assertEqual(single[0], airlights[0, 0])
-        forward = litfog.airlight(self.light, litfog.Atmosphere(self.air.fog, litfog.Phase(0.8)), rays)
+        forward = litfog.airlight(self.light, litfog.Atmosphere(self.air.fog, litfog.Phase.henyey_greenstein(0.8)), rays)
         self.assertTrue(np.all(forward != airlights))
 
     def test_rays_that_do_not_fit_are_refused_before_results_are_written(self):

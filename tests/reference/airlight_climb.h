@@ -50,7 +50,10 @@ inline AirlightCase case_at(const ClimbPoint& point, const ClimbKind& kind) {
   AirlightCase made;
   made.spread = spread;
   made.lamp_leg = kind.lamp_leg;
-  made.atmosphere.phase.asymmetry = kind.is_directional ? 1.8 * g - 0.9 : 0;
+  if (kind.is_directional) {
+    made.atmosphere.phase = g < 0.7 ? Phase::henyey_greenstein(1.98 * g / 0.7 - 0.99)
+                                    : Phase::droplets(between((g - 0.7) / 0.3, kSmallestDroplets, kLargestDroplets));
+  }
   Light& light = made.light.light;
   light.attenuation.constant = c < 0.15 ? 0 : c < 0.55 ? (c - 0.15) / 0.4 : c < 0.75 ? 1 : between(4 * c - 3, 1, 5);
   light.attenuation.linear = one_or(l, 0.2, 0, 1e-4, 3);

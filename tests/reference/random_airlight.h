@@ -31,11 +31,13 @@ inline std::string to_string(const AirlightCase& c) {
   const Cone& cone = light.cone;
   const glm::dvec3 to_light = c.light.position - c.ray.origin;
   const double approach = glm::dot(to_light, c.ray.direction);
-  char text[512];
+  char text[768];
   std::snprintf(text, sizeof text,
-                "; k = %d, g = %.17g, cone %d: half angle %.17g, exponent %.17g, inner %.17g, outer %.17g; approach "
+                "; k = %d, lobes %.17g %.17g, %.17g %.17g by %.17g, cone %d: half angle %.17g, exponent %.17g, inner %.17g, outer %.17g; approach "
                 "%.17g, offset %.17g, axis %.17g along the ray, %.17g to it, length %.17g",
-                c.lamp_leg == LampLeg::fogged, c.atmosphere.phase.asymmetry, int(cone.profile), cone.half_angle,
+                c.lamp_leg == LampLeg::fogged, c.atmosphere.phase.first.asymmetry, c.atmosphere.phase.first.alpha,
+                c.atmosphere.phase.second.asymmetry, c.atmosphere.phase.second.alpha, c.atmosphere.phase.weight,
+                int(cone.profile), cone.half_angle,
                 cone.exponent, cone.inner, cone.outer, approach, glm::length(to_light - approach * c.ray.direction),
                 glm::dot(c.light.direction, c.ray.direction),
                 glm::dot(c.light.direction, approach * c.ray.direction - to_light), c.ray.length);
@@ -47,6 +49,18 @@ inline glm::dvec3 draw_perpendicular(Random& random, const glm::dvec3& direction
     const glm::dvec3 cross = glm::cross(direction, draw_direction(random));
     if (glm::length(cross) > 0.1) return glm::normalize(cross);
   }
+}
+
+/// Isotropic phase functions, those of droplets, and one or two lobes with asymmetries of -0.99 to 0.99.
+inline Phase draw_phase(Random& random) {
+  if (random.chance(0.25)) return {};
+  if (random.chance(0.33)) return Phase::droplets(random.log_uniform(kSmallestDroplets, kLargestDroplets));
+  const auto draw_lobe = [&random] {
+    const double size = random.chance(0.5) ? random.uniform(0, 0.9) : 1 - random.log_uniform(0.01, 1);
+    return PhaseLobe{random.chance(0.7) ? size : -size, random.chance(0.5) ? 0 : random.log_uniform(0.1, 30)};
+  };
+  if (random.chance(0.5)) return {.first = draw_lobe()};
+  return {draw_lobe(), draw_lobe(), random.uniform(0, 1)};
 }
 
 /// Point lights as they occur with some of their kinds' corners, in fog from clear to a visibility of 5 cm, and rays
@@ -209,7 +223,7 @@ inline AirlightCase draw_coincident_airlight_case(Random& random, FogMode mode, 
   constexpr std::array kWorldAxes{glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1)};
   AirlightCase c;
   c.lamp_leg = lamp_leg;
-  c.atmosphere.phase.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
+  c.atmosphere.phase.first.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
   Light& light = c.light.light;
   light.attenuation = {random.pick(std::array{0., 0.4, 1., 1.5}), random.chance(0.5) ? 0 : random.log_uniform(1e-3, 1),
                        random.log_uniform(1e-3, 1)};

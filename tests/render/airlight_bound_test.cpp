@@ -18,13 +18,13 @@ TEST(RenderAirlightBound, NoMoreThanTheBudgetComesFromBehindTheEnd) {
   int attacked = 0;
   for (int i = 0; i < 2000; ++i) {
     AirlightCase c = draw_airlight_case(random, random.pick(kModes), LampLeg::fogged);
-    c.atmosphere.phase.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
+    c.atmosphere.phase = draw_phase(random);
     Light& light = c.light.light;
     light.color = glm::dvec3(random.log_uniform(0.01, 100));
     const double budget = random.log_uniform(1e-8, 1e-3);
     const glm::dvec3 to_light = c.light.position - c.ray.origin;
-    const AirlightBound bound(c.light, compute_extent(light.attenuation, light.threshold), c.atmosphere.fog,
-                              largest_phase(c.atmosphere.phase), c.ray.origin);
+    const AirlightBound bound(c.light, compute_extent(light.attenuation, light.threshold), c.atmosphere,
+                              c.ray.origin);
     const double end = bound.end(budget);
     if (std::isinf(end)) continue;
     if (glm::length(to_light) > 0 && random.chance(0.5)) {  // close to the light, where it is brightest

@@ -57,7 +57,7 @@ TEST(AirlightList, RayBeyondTheReachShowsLessThanTheBudget) {
     AirlightCase c = draw_airlight_case(random, mode, LampLeg::fogged);
     Light& light = c.light.light;
     light.color = glm::dvec3(random.log_uniform(0.01, 100));
-    c.atmosphere.phase.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
+    c.atmosphere.phase = draw_phase(random);
     const AirlightList found = list(c.light, c.atmosphere, c.ray.origin);
     const double reach = found.entries.empty() ? 0 : double(found.entries.front().reach);
     listed += int(found.entries.size());

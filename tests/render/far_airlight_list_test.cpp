@@ -56,7 +56,7 @@ TEST(FarAirlightList, RayShowsNoMoreThanAThirdOfTheShareOfALightThatIsLeftOutOrB
     AirlightCase c = random.chance(0.5) ? draw_airlight_case(random, mode, LampLeg::fogged)
                                         : draw_spot_airlight_case(random, mode, LampLeg::fogged);
     c.light.light.color = glm::dvec3(random.log_uniform(0.01, 100));
-    c.atmosphere.phase.asymmetry = random.chance(0.5) ? 0 : random.uniform(-0.9, 0.9);
+    c.atmosphere.phase = draw_phase(random);
     scene::Scene scene;
     scene.lights = {c.light};
     const SceneLights lights(scene, kByAirlight);

@@ -148,10 +148,11 @@ TEST_F(SceneFile, FlashingLightHasTheColourOfTheTime) {
 TEST_F(SceneFile, FogHasNoTopAndNoAsymmetryWhereNoneIsStated) {
   const Scene plain = read("\"objects\": []");
   EXPECT_EQ(plain.atmosphere.top, std::numeric_limits<double>::infinity());
-  EXPECT_EQ(plain.atmosphere.phase.asymmetry, 0);
+  EXPECT_EQ(plain.atmosphere.phase, Phase::droplets(10));
+  EXPECT_FALSE(plain.states_phase);
   const Scene stated = read("\"fog_top_m\": -12.5, \"phase_g\": -0.75, \"objects\": []");
   EXPECT_EQ(stated.atmosphere.top, -12.5);
-  EXPECT_EQ(stated.atmosphere.phase.asymmetry, -0.75);
+  EXPECT_EQ(stated.atmosphere.phase.first.asymmetry, -0.75);
   EXPECT_EQ(read("\"fog_top_m\": 1e308, \"objects\": []").atmosphere.top, 1e308);
 }
 
@@ -477,7 +478,7 @@ TEST_F(SceneChanges, MembersOfTheSceneChangeInTheOrderGiven) {
   EXPECT_EQ(scene.camera.position, glm::dvec3(7, 1, 5));
   EXPECT_FLOAT_EQ(scene.camera.field_of_view, glm::radians(60.0f));
   EXPECT_EQ(scene.environment.star_brightness, 2);
-  EXPECT_EQ(scene.atmosphere.phase.asymmetry, -0.5);
+  EXPECT_EQ(scene.atmosphere.phase.first.asymmetry, -0.5);
   EXPECT_EQ(scene.name, "other");
 }
 

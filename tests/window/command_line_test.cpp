@@ -21,7 +21,7 @@ TEST(CommandLine, EveryControlHasItsOption) {
   options.fog = FogMode::exp2;
   options.visibility = 62.5;
   options.contrast = kContrastKoschmieder;
-  options.phase = Phase{0.5};
+  options.phase = "hg:0.5";
   options.fog_light = render::FogLighting::airlight;
   options.render.shadows = render::Shadows::shafts;
   options.render.skipping = render::Skipping::off;
@@ -34,7 +34,7 @@ TEST(CommandLine, EveryControlHasItsOption) {
   command.camera = {.position = {0.1, -2, 3e-5}, .target = {1, 2, 3}, .field_of_view = glm::radians(47.5f)};
   command.changes = {{"lights[0].attenuation.quadratic", "0.002"}, {"lights[1].color", "[1.0,0.5,0.25]"}};
   EXPECT_EQ(to_string(command),
-            "litfog-demo room --fog exp2 --visibility 62.5 --contrast koschmieder --phase-g 0.5 --fog-light airlight "
+            "litfog-demo room --fog exp2 --visibility 62.5 --contrast koschmieder --phase hg:0.5 --fog-light airlight "
             "--shadows shafts --time 1.5 --exposure -2.25 --tone clip --glare none --samples 8 --no-skip --camera "
             "0.1,-2,3e-05 "
             "--target 1,2,3 --fov-deg 47.5 --set 'lights[0].attenuation.quadratic=0.002' "
@@ -46,14 +46,14 @@ TEST(CommandLine, OptionsWithoutEffectAreLeftOut) {
   command.options.fog = std::nullopt;
   command.options.visibility = 50;
   command.options.contrast = kContrastFlightgear;
-  command.options.phase = Phase{0.5};
+  command.options.phase = "hg:0.5";
   EXPECT_EQ(to_string(command), "litfog-demo room --fog none --size 1280x720");
 
   command = {.scene = "room"};
   command.options.render.path = render::find_lighting_path("vertex");
   command.options.fog_light = render::FogLighting::airlight;  // which the path lacks
   command.options.render.shadows = render::Shadows::surfaces;
-  command.options.phase = Phase{0.5};
+  command.options.phase = "hg:0.5";
   command.options.render.papers.is_flat_shaded = true;
   command.options.render.papers.map_size = 64;
   EXPECT_EQ(to_string(command), "litfog-demo room --path vertex --size 1280x720");

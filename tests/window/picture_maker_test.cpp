@@ -85,7 +85,7 @@ TEST_F(PictureMakerTest, PicturesAreThoseOfLitfogDemoWhateverHasBeenChanged) {
   };
   expect_same("nothing");
   next.settings[0].visibility = 15;
-  next.settings[0].phase = Phase{0.7};
+  next.settings[0].phase = "hg:0.7";
   next.camera.position.y += 0.5f;
   next.camera.field_of_view = 0.6f;
   expect_same("fog and camera");

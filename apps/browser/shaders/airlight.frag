@@ -20,6 +20,6 @@ void main() {
   float range = seen.a * end > 1.0 ? 1.0 / seen.a : end;
   vec3 sum = vec3(0.0);
   int count = int(litfog_fog.z);
-  for (int i = 0; i < count; ++i) sum += litfog_light_airlight(light_at(i), eye, direction, range, litfog_isotropic);
+  for (int i = 0; i < count; ++i) sum += litfog_light_airlight(light_at(i), eye, direction, range);
   color = vec4(compose(seen.rgb, sum), 1.0);
 }

@@ -9,25 +9,44 @@
 #include "litfog/airlight.h"
 #include "litfog/attenuation.h"
 #include "litfog/formulas.h"
+#include "render/airlight/far_airlight_list.h"
 #include "render/light/hidden_range.h"
 #include "render/light/light_threshold.h"
 
 namespace litfog::render {
 
-AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Fog& fog, double largest_phase,
+AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmosphere& atmosphere,
                              const glm::dvec3& eye)
     : attenuation_(light.light.attenuation),
       extent_(extent),
-      fog_(scaled(fog, light.light.density_scale)),
-      brightness_(kAirlightUnit * largest_phase * largest_component(light.light.color)),
+      fog_(scaled(atmosphere.fog, light.light.density_scale)),
+      phase_(atmosphere.phase),
+      brightness_(airlight_unit(atmosphere) * largest_component(light.light.color)),
       eye_range_(glm::distance(eye, light.position)) {
   fog_.density = std::min(fog_.density, 1e6);  // as in light_airlight.glsl
   weight_ = weight(2 * eye_range_ / 3, eye_range_ / 3);
 }
 
+double AirlightBound::largest_phase_at(double distance) const {
+  const double sine = distance < eye_range_ ? distance / eye_range_ : 1;
+  return largest_phase(phase_, -1, std::sqrt(1 - sine * sine));
+}
+
 double AirlightBound::reach(double budget) const {
+  double high = reach_where_phase_is(largest_phase_at(0), budget);
+  if (is_isotropic(phase_)) return high;
+  // A distance is enough where it is not below the reach by the phase function there, which falls with the distance.
+  double low = reach_where_phase_is(largest_phase_at(eye_range_), budget);
+  for (int i = 0; i < 24 && high > 1.01 * low; ++i) {
+    const double middle = low > 0 ? std::sqrt(low * high) : high / 2;
+    (reach_where_phase_is(largest_phase_at(middle), budget) <= middle ? high : low) = middle;
+  }
+  return high;
+}
+
+double AirlightBound::reach_where_phase_is(double phase, double budget) const {
   if (!(weight_ > 0)) return 0;
-  const double most = brightness_ / budget;
+  const double most = phase * brightness_ / budget;
   const double root = 4 * weight_ * most;
   const double denominator = std::min({most, 2 * extent_ * weight_ * most, root * root / attenuation_.quadratic});
   if (!(denominator > std::max(attenuation_.constant, 1.0))) return 0;
@@ -37,10 +56,30 @@ double AirlightBound::reach(double budget) const {
 double AirlightBound::end(double budget) const {
   const double integral =
       formulas::litfog_largest_attenuation_integral(attenuation_.constant, attenuation_.quadratic, 2 * extent_);
-  const double x = hidden_range(fog_, brightness_ * weight(0, 0) * integral, budget);
-  if (fog_.mode == FogMode::exp) return eye_range_ >= x ? 0 : (x + eye_range_) / 2;
-  const double square = 6 * x * x - 2 * eye_range_ * eye_range_;
-  return square <= 0 ? 0 : (2 * eye_range_ + std::sqrt(square)) / 3;
+  const auto end_where_phase_is = [&](double phase) {
+    const double x = hidden_range(fog_, phase * brightness_ * weight(0, 0) * integral, budget);
+    if (fog_.mode == FogMode::exp) return eye_range_ >= x ? 0 : (x + eye_range_) / 2;
+    const double square = 6 * x * x - 2 * eye_range_ * eye_range_;
+    return square <= 0 ? 0 : (2 * eye_range_ + std::sqrt(square)) / 3;
+  };
+  const double beyond_light = end_where_phase_is(largest_phase_at(eye_range_));
+  if (beyond_light >= eye_range_) return beyond_light;
+  if (far_peak_reach(budget) > 0) return eye_range_;
+  return std::min(end_where_phase_is(largest_phase_at(0)), eye_range_);
+}
+
+double AirlightBound::far_peak_reach(double budget) const {
+  if (is_isotropic(phase_) || extent_ >= eye_range_) return 0;
+  const double beyond = beyond_extent(0);
+  const double farthest = eye_range_ * std::sin(FarAirlightList::kPeakAngle);
+  double low = 0, high = farthest;
+  if (largest_phase_at(low) * beyond <= budget) return 0;
+  if (largest_phase_at(high) * beyond > budget) return farthest;
+  for (int i = 0; i < 24; ++i) {
+    const double middle = (low + high) / 2;
+    (largest_phase_at(middle) * beyond > budget ? low : high) = middle;
+  }
+  return high;
 }
 
 double AirlightBound::beyond_extent(double distance) const {
@@ -55,9 +94,9 @@ double AirlightBound::width() const { return compute_extent(attenuation_, 0.5 / 
 
 double AirlightBound::flat_range() const { return 0.5 * std::min(width(), 0.5 / fog_.density); }
 
-double AirlightBound::k() const {
+double AirlightBound::k(double distance) const {
   const double slope = std::max(attenuation_.quadratic, attenuation_.linear / std::max(width(), 1e-3));
-  return brightness_ * weight_ * 4 / std::max(slope, 1e-30);
+  return largest_phase_at(distance) * brightness_ * weight_ * 4 / std::max(slope, 1e-30);
 }
 
 double AirlightBound::weight(double seen, double lit) const {

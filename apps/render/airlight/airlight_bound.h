@@ -3,34 +3,35 @@
 
 #include <glm/vec3.hpp>
 
-#include "litfog/fog.h"
+#include "litfog/atmosphere.h"
 #include "litfog/light.h"
 
 namespace litfog::render {
 
-/// Upper bounds of a light's airlight, in the largest component of its colour and the direction in which the fog
-/// scatters most; both legs lead through the fog. s is the distance from the eye, r that from the light, L from the eye
-/// to the light. litfog/shaders/airlight_bound.glsl bounds the fog's weight -f'(s) f(r) and the attenuation's integral.
+/// Upper bounds of a light's airlight, in the largest component of its colour; both legs lead through the fog. s is the
+/// distance from the eye, r that from the light, L from the eye to the light. litfog/shaders/airlight_bound.glsl bounds
+/// the fog's weight -f'(s) f(r) and the attenuation's integral. Along a ray the angle of scattering rises from the angle
+/// between the ray and the vector to the light, so that a ray which passes the light at a distance h has the phase
+/// function of asin(h / L) and of larger angles only, and beyond the light that of right angles and larger ones.
 class AirlightBound {
  public:
   static constexpr double kFarthestReach = 1e9;  ///< metres, for lights without an end: floats hold its square
 
   /// extent  of the light, metres
-  /// fog     of the scene
-  AirlightBound(const PlacedLight& light, double extent, const Fog& fog, double largest_phase, const glm::dvec3& eye);
+  AirlightBound(const PlacedLight& light, double extent, const Atmosphere& atmosphere, const glm::dvec3& eye);
 
-  /// Range from the light beyond which rays pass it with at most a budget of airlight, 0 where all do, by solving
-  /// litfog_largest_airlight() for the denominator. Metres.
+  /// Range from the light beyond which rays pass it with at most a budget of airlight from within its extent, 0 where
+  /// all do, by solving litfog_largest_airlight() for the denominator. Metres.
   double reach(double budget) const;
 
-  /// Distance R from the eye beyond which the rest of no ray has more than a budget of airlight. Metres, 0 where no ray
-  /// has more, infinity where some always do.
+  /// Distance R from the eye beyond which the rest of no ray has more than a budget of airlight from within the extent
+  /// or of far_peak_reach(). Metres, 0 where no ray has more, infinity where some always do.
   ///
   /// Proof. At s >= R, s + r is at least L and at least 2 R - L; s^2 / 2 + r^2 is at least L^2 / 3 and, for
   /// R >= 2 L / 3, at least R^2 / 2 + (R - L)^2. By these the weight is bounded.
   double end(double budget) const;
 
-  /// What the light adds beyond its extent to a ray from a distance S from the eye on.
+  /// What the light adds beyond its extent to a ray from a distance S from the eye on, in isotropic fog.
   ///
   /// Proof. With R the larger of the extent and S - L, r >= R. The weights -f'(s) of the eye's leg sum to at most f(S),
   /// so that the light adds at most a(R) f(R) f(S). Where -f'(s) f(r) is at most w, it also adds at most w pi / (Q R):
@@ -38,22 +39,31 @@ class AirlightBound {
   /// that touches it.
   double beyond_extent(double distance) const;
 
+  /// Range from the light beyond which rays pass it with at most a budget of what the peak of the phase function adds
+  /// beyond the extent (shaders/airlight/far_peak.glsl), 0 where all do. Metres.
+  double far_peak_reach(double budget) const;
+
   double density() const { return fog_.density; }  ///< of the fog as the light's class sees it, 1/m
 
   /// Metres from the light within which its airlight is flat: half of the falloff's width, or less in dense fog.
   double flat_range() const;
 
-  /// k, where the airlight at a distance h from the light is about k / h. Metres.
-  double k() const;
+  /// k, where the airlight at a distance h from the light is about k / h, near a distance. Metres.
+  double k(double distance) const;
+
+  /// The largest value of the phase function for rays that pass the light at a distance, or behind the eye.
+  double largest_phase_at(double distance) const;
 
  private:
+  double reach_where_phase_is(double phase, double budget) const;
   double weight(double seen, double lit) const;
   double width() const;  // metres: the falloff's
 
   Attenuation attenuation_;
   double extent_;
   Fog fog_;
-  double brightness_;
+  Phase phase_;
+  double brightness_;  // in isotropic fog
   double eye_range_;
   double weight_;  // of any ray
 };

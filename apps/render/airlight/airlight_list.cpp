@@ -46,12 +46,13 @@ double display_slope(double value, double gain) {
 /// distance, a cubic through four misses 3/128, and the polynomial through six (airlight_fill.frag) half as much.
 ///
 /// gain  of the exposure
-double find_bend_range(double k, double density, double pixel, double gain) {
+double find_bend_range(const AirlightBound& bound, double narrowing, double pixel, double gain) {
   constexpr double kMissed = kSafety * 81 * 3 / 256;
   const double step = kCoarsestGrid * pixel;  // where d range matters most
   double range = step;
   for (int i = 0; i < 16; ++i) {
-    const double missed = kMissed * k * std::pow(step * (1 + density * range), 4) * display_slope(k / range, gain);
+    const double k = narrowing * bound.k(range);
+    const double missed = kMissed * k * std::pow(step * (1 + bound.density() * range), 4) * display_slope(k / range, gain);
     range = std::pow(missed / kMaxError, 0.2);
   }
   return range / std::pow(double(kCoarsestGrid), 0.8);
@@ -73,13 +74,14 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& placed = lights.lights()[i];
     const double eye_range = std::max(glm::distance(eye, placed.position), 1e-6);
-    const AirlightBound bound(placed, lights.extents()[i], atmosphere.fog, largest_phase(atmosphere.phase), eye);
-    const double reach = bound.reach(budget);
+    const AirlightBound bound(placed, lights.extents()[i], atmosphere, eye);
+    const bool has_shafts = !casters.empty() && casters[i] >= 0;
+    const double reach = std::max(bound.reach(budget), has_shafts ? 0 : bound.far_peak_reach(budget));
     if (!(reach > 0)) continue;
     const double pixel = eye_range / pixels_per_radian;
     const SeenBeam beam = see_beam(placed, (eye - placed.position) / eye_range);
     const double bend_range =
-        std::min(find_bend_range(beam.narrowing * bound.k(), bound.density(), pixel, gain), reach);
+        std::min(find_bend_range(bound, beam.narrowing, pixel, gain), reach);
     const double most_bend_range = eye_range / 2;
     // Across its apex, a beam's airlight jumps, unless it is seen along its axis. Up to a range a thin one is thinner
     // than a few texels of a grid, too. Grids keep next to nothing of it there.
@@ -88,7 +90,7 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
         is_beam ? std::max(4 * pixel / std::tan(beam.angle), std::min(kBeamBend * bend_range, most_bend_range)) : 0;
     found.push_back(
         {{.profile = int(lights.instances()[i].axis_profile.w),
-          .has_shafts = !casters.empty() && casters[i] >= 0,
+          .has_shafts = has_shafts,
           .has_knee = placed.light.attenuation.constant < 1},
          {.light = float(i),
           .reach = float(reach),

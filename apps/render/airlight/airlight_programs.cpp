@@ -18,11 +18,11 @@ const gl::Program& AirlightPrograms::program(const Atmosphere& atmosphere, const
   const std::string constants = fmt::format(
       "#define LITFOG_FOG_MODE {}.0\n"
       "{}"
+      "{}"
       "const float profile = {}.0;  // of the lights to draw\n"
-      "#include \"litfog/shaders/phase.glsl\"\n"
-      "{} LitfogPhase phase{};\n",
-      int(atmosphere.fog.mode), lights.has_knee ? "" : "#define LITFOG_NO_KNEE\n", lights.profile,
-      is_isotropic ? "const" : "uniform", is_isotropic ? " = litfog_isotropic" : "");
+      "const bool has_shafts = {};\n",
+      int(atmosphere.fog.mode), lights.has_knee ? "" : "#define LITFOG_NO_KNEE\n",
+      is_isotropic ? "#define LITFOG_ISOTROPIC_FOG\n" : "", lights.profile, lights.has_shafts);
   std::vector<gl::ShaderSource> files = scene_shaders(lights.profile == kCookieProfile, lights.has_shafts);
   files.push_back({"generated/airlight_constants.glsl", constants});
   return programs_.emplace(key, gl::Program(vertex_file_, fragment_file_, files)).first->second;

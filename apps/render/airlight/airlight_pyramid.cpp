@@ -167,7 +167,6 @@ PassTextures AirlightPyramid::use(const gl::Program& program, const Frame& frame
   set_uniform(program, "shadow_casters", kShadowCasterUnit);
   set_uniform(program, "caster_of_light", kCasterOfLightUnit);
   set_uniform(program, "shaft_steps", shaft_steps_);
-  set_phase(program, frame.inputs.atmosphere.phase);
   set_uniform(program, "eye", frame.inputs.view.eye);
   set_uniform(program, "direction_from_clip", frame.inputs.view.direction_from_clip);
   set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size_));

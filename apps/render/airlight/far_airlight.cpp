@@ -76,7 +76,6 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphe
     set_uniform(program, "direction_from_clip", view.direction_from_clip);
     set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size));
     set_uniform(program, "eye", view.eye);
-    set_phase(program, atmosphere.phase);
     set_uniform(program, "far_depth", float(depth_));
     set_uniform(program, "far_step", step_);
     set_uniform(program, "row_count", size_.y);

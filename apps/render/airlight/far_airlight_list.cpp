@@ -26,12 +26,13 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
     double most;  // that it adds from somewhere on
   };
   std::vector<Candidate> candidates;
+  const double phase = largest_phase(atmosphere.phase, -1, std::cos(FarAirlightList::kPeakAngle));
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const double extent = lights.extents()[i];
     if (std::isinf(extent) || (!casters.empty() && casters[i] >= 0)) continue;
-    const AirlightBound bound(lights.lights()[i], extent, fog, largest_phase(atmosphere.phase), eye);
+    const AirlightBound bound(lights.lights()[i], extent, atmosphere, eye);
     candidates.push_back({std::int32_t(i), int(lights.instances()[i].axis_profile.w), FarAirlightList::kSections, bound,
-                          bound.beyond_extent(0)});
+                          phase * bound.beyond_extent(0)});
   }
   std::ranges::sort(candidates, {}, &Candidate::most);
   double left_out = 0;
@@ -41,7 +42,7 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
   const auto is_enough = [&](double depth) {
     double beyond = 0;
     for (const Candidate& each : candidates) {
-      if ((beyond += each.bound.beyond_extent(depth)) > budget) return false;
+      if ((beyond += phase * each.bound.beyond_extent(depth)) > budget) return false;
     }
     return true;
   };
@@ -56,7 +57,7 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
 
   double left_out_far = 0;
   for (int section = 1; section < FarAirlightList::kSections; ++section) {
-    for (Candidate& each : candidates) each.most = each.bound.beyond_extent(list.section_begin(section));
+    for (Candidate& each : candidates) each.most = phase * each.bound.beyond_extent(list.section_begin(section));
     std::ranges::sort(candidates, {}, &Candidate::most);
     for (Candidate& each : candidates) {
       if (each.sections < section) continue;

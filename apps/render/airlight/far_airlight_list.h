@@ -16,6 +16,9 @@ namespace litfog::render {
 /// into sections, and the farther from the eye a section lies, the fewer lights it needs.
 struct FarAirlightList {
   static constexpr int kSections = 4;
+  /// Radians: smaller angles of scattering count as this one. The rest, a peak of the phase function too narrow for the
+  /// sum's texels, is drawn light by light (shaders/airlight/far_peak.glsl).
+  static constexpr double kPeakAngle = 0.15;
 
   struct Range {
     int profile;

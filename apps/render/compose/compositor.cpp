@@ -12,7 +12,6 @@ void bind_pane_airlight(const gl::Program& program, const PaneAirlight* airlight
   set_uniform(program, "airlight_count", airlight ? airlight->lights.size() : 0);
   PassTextures textures(program);
   if (airlight) {
-    set_phase(program, airlight->phase);
     airlight->lights.bind_entries(textures);
     airlight->far.bind(program, textures);
   } else {  // samplers of two kinds may not share a unit

@@ -13,7 +13,6 @@ namespace litfog::render {
 
 /// The airlight that each pane draws before itself, because the picture's own is summed up to what lies behind panes.
 struct PaneAirlight {
-  const Phase& phase;
   const AirlightLights& lights;
   const FarAirlight& far;
 };

@@ -3,7 +3,6 @@
 
 #include "litfog/gl/fog_light_buffer.h"
 #include "litfog/gl/program.h"
-#include "litfog/phase.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
 
@@ -16,11 +15,6 @@ inline void bind_lights(const gl::Program& program, const gl::FogLightBuffer& fo
   set_uniform(program, "litfog_instance_buffer", kInstanceBufferUnit);
   set_uniform(program, "cookies", kCookieUnit);
   set_uniform(program, "cookie_cones", kCookieConeUnit);
-}
-
-/// Sets the uniform `phase` of the program in use (litfog/shaders/phase.glsl).
-inline void set_phase(const gl::Program& program, const Phase& phase) {
-  set_uniform(program, "phase.asymmetry", to_floats(phase).asymmetry);
 }
 
 }  // namespace litfog::render

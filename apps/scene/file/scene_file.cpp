@@ -180,6 +180,25 @@ struct Vehicle {
   }
 };
 
+Phase read_phase(const JsonValue& value) {
+  const auto phase = phase_named(value.string());
+  if (!phase) value.fail(kPhaseRule);
+  return *phase;
+}
+
+void read_atmosphere(const JsonValue& value, Scene& scene) {
+  value.allow_only({"phase", "albedo"});
+  Atmosphere& air = scene.atmosphere;
+  if (const auto phase = value.optional("phase")) {
+    air.phase = read_phase(*phase);
+    scene.states_phase = true;
+  }
+  if (const auto albedo = value.optional("albedo")) {
+    air.albedo = albedo->number();
+    if (const auto error = find_error(air)) albedo->fail(error->rule);
+  }
+}
+
 SceneDisplay read_display(const JsonValue& value) {
   value.allow_only({"exposure", "tone"});
   SceneDisplay display;
@@ -230,7 +249,7 @@ class SceneReader {
     }
     expect_header(root, "scene", 1);
     root.allow_only({"litfog", "version", "name", "description", "camera", "environment", "visibilities_m",
-                     "lit_at_vertices", "fog_top_m", "phase_g", "display", "vehicle", "lights", "city", "objects"});
+                     "lit_at_vertices", "fog_top_m", "phase_g", "atmosphere", "display", "vehicle", "lights", "city", "objects"});
     read_name(root, std::filesystem::path(path).stem().string());
     if (const auto description = root.optional("description")) scene_.description = description->string();
     scene_.camera = read_camera(root.member("camera"));
@@ -245,9 +264,11 @@ class SceneReader {
     }
     air.top = root.number_or("fog_top_m", air.top);
     if (const auto phase_g = root.optional("phase_g")) {
-      air.phase.asymmetry = phase_g->number();
+      air.phase = Phase::henyey_greenstein(phase_g->number());
       if (const auto error = find_error(air.phase)) phase_g->fail(error->rule);
+      scene_.states_phase = true;
     }
+    if (const auto atmosphere = root.optional("atmosphere")) read_atmosphere(*atmosphere, scene_);
     if (const auto display = root.optional("display")) scene_.display = read_display(*display);
     if (const auto vehicle = root.optional("vehicle")) vehicle_ = read_vehicle(*vehicle);
     if (const auto lights = root.optional("lights")) {

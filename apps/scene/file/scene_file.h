@@ -31,8 +31,12 @@ namespace litfog::scene {
 ///                                                         another than its default is asked for; default: false
 ///       "fog_top_m": 120,                                 optional: the height at which rays to the sky leave the fog;
 ///                                                         default: never, any fog hides the sky
-///       "phase_g": 0.8,                                   optional: the fog's Henyey-Greenstein asymmetry, in (-1, 1);
-///                                                         default: 0, which scatters evenly
+///       "phase_g": 0.8,                                   optional: short for the phase function hg:0.8
+///       "atmosphere": {                                   optional: what the air is made of
+///         "phase": "droplets:20",                         optional: the fog's phase function: isotropic, hg:G or
+///                                                         droplets:D (kPhaseRule); default: droplets:10
+///         "albedo": 0.9},                                 optional: the fraction of the light taken that the fog
+///                                                         scatters, in [0, 1]; default: 1
 ///       "display": {"exposure": "auto",                   optional: how its pictures are shown: EV, default 0, or auto;
 ///         "tone": "neutral"},                             or clip, each channel cut at white
 ///       "vehicle": {"position": [0, 33, 356],             optional: to which lights are mounted

@@ -63,15 +63,24 @@ typedef struct litfog_fog {
   double density;  ///< d, 1/m, >= 0. 0 is clear air, infinity total fog.
 } litfog_fog;
 
-/// A phase function, Henyey and Greenstein's.
+/// A lobe of a phase function, Draine's.
+typedef struct litfog_phase_lobe {
+  double asymmetry;  ///< g, (-1, 1); 0 is isotropic where alpha is 0
+  double alpha;      ///< [0, 1e6]; 0 is Henyey and Greenstein's function, 1 Cornette and Shanks's
+} litfog_phase_lobe;
+
+/// A phase function of two lobes. With a weight of 1 it is the first lobe alone.
 typedef struct litfog_phase {
-  double asymmetry;  ///< g, (-1, 1); 0 is isotropic
+  litfog_phase_lobe first;
+  litfog_phase_lobe second;
+  double weight;  ///< [0, 1], of the first lobe; the second has the rest
 } litfog_phase;
 
 /// All that the air is.
 typedef struct litfog_atmosphere {
   litfog_fog fog;
   litfog_phase phase;
+  double albedo;                ///< [0, 1]: the fraction of the light taken by the fog that it scatters
   double top;                   ///< metres: height at which rays to the sky leave the fog; INFINITY: they do not
   double ambient_fog_color[3];  ///< linear RGB, finite, >= 0
 } litfog_atmosphere;
@@ -87,6 +96,11 @@ typedef struct litfog_atmosphere {
 /// metres    visibility, >= 0; infinity is no fog, 0 is total fog
 /// contrast  (0, 1)
 LITFOG_API litfog_status litfog_fog_from_visibility(int32_t mode, double metres, double contrast, litfog_fog* fog);
+
+/// The phase function of fog of water droplets (Jendersie and d'Eon 2023).
+///
+/// micrometres  the droplets' diameter, [5, 50]
+LITFOG_API litfog_status litfog_phase_droplets(double micrometres, litfog_phase* phase);
 
 // --- lights (litfog/light.h) ---
 
@@ -306,8 +320,9 @@ typedef struct litfog_fog_light_instance {
 } litfog_fog_light_instance;
 
 typedef struct litfog_fog_header {
-  float fog[4];                ///< density, mode, number of instances, 0
+  float fog[4];                ///< density, mode, number of instances, albedo
   float ambient_fog_color[4];  ///< colour (3), 0
+  float phase_lobes[2][4];     ///< the phase function's, with what does not depend on the angle
 } litfog_fog_header;
 
 #define LITFOG_MAX_FOG_LIGHTS 200

@@ -7,6 +7,7 @@
 #define LITFOG_LIGHT_BLOCK_GLSL
 
 #include "litfog/shaders/light.glsl"
+#include "litfog/shaders/phase.glsl"
 
 const int LITFOG_MAX_LIGHTS = 200;
 
@@ -21,11 +22,25 @@ layout(set = LITFOG_SET, binding = LITFOG_BLOCK_BINDING, std140) uniform LitfogL
 #else
 layout(std140) uniform LitfogLightBlock {
 #endif
-  vec4 litfog_fog;  // x density, y mode as litfog_is_exp() takes it, z number of lights
+  vec4 litfog_fog;  // x density, y mode as litfog_is_exp() takes it, z number of lights, w albedo
   vec4 litfog_ambient_fog_color;
+  vec4 litfog_phase_lobes[2];  // LitfogPhaseLobe
   LitfogKind litfog_kinds[LITFOG_MAX_LIGHTS];
   LitfogInstance litfog_instances[LITFOG_MAX_LIGHTS];
 };
+
+// The phase function of the fog. A program for isotropic fog may define LITFOG_ISOTROPIC_FOG before the first include of
+// litfog; compilers then leave the others out.
+LitfogPhase litfog_fog_phase() {
+#ifdef LITFOG_ISOTROPIC_FOG
+  return litfog_isotropic;
+#else
+  vec4 first = litfog_phase_lobes[0];
+  vec4 second = litfog_phase_lobes[1];
+  return LitfogPhase(LitfogPhaseLobe(first.x, first.y, first.z, first.w),
+                     LitfogPhaseLobe(second.x, second.y, second.z, second.w));
+#endif
+}
 
 LitfogLight litfog_block_light(int light) {
   LitfogInstance instance = litfog_instances[light];

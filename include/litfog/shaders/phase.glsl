@@ -1,55 +1,73 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: the phase function, which states how the light that fog scatters is spread over angles. Its values are over
-// that of isotropic fog. All that depends on its shape is asked here, so that another lobe changes this file and
-// litfog/phase.h alone. GLSL includes this file like any other; C++ takes the same text through src/model/phase_text.h.
+// litfog: the phase function, which states how the light that fog scatters is spread over angles: a sum of two lobes,
+// over the value of isotropic fog. All that depends on its shape is asked here, so that another lobe changes this file
+// and litfog/phase.h alone. GLSL includes this file like any other; C++ takes the same text through
+// src/model/phase_text.h.
+//
+// Angles of scattering are given by their versine, 1 - cosine: 0 is straight ahead, 2 straight back. A float's cosine
+// has too few digits for the peak of a narrow lobe.
 
 #ifndef LITFOG_PHASE_GLSL
 #define LITFOG_PHASE_GLSL
 
 #ifndef __cplusplus
-#include "litfog/shaders/expm1.glsl"
 #define LITFOG_REAL float
 #define LITFOG_FUNCTION
 
-struct LitfogPhase {
-  float asymmetry;  // g of Henyey and Greenstein, (-1, 1); 0 is isotropic
+// A lobe times its weight, with what does not depend on the angle: litfog_packed_lobe() makes it of g and alpha.
+struct LitfogPhaseLobe {
+  float base;   // (1 - |g|)^2
+  float slope;  // 2 g
+  float scale;  // weight (1 - g^2) / (1 + alpha (1 + 2 g^2) / 3)
+  float alpha;
 };
 
-const LitfogPhase litfog_isotropic = LitfogPhase(0.0);
+struct LitfogPhase {
+  LitfogPhaseLobe first;
+  LitfogPhaseLobe second;
+};
+
+const LitfogPhase litfog_isotropic =
+    LitfogPhase(LitfogPhaseLobe(1.0, 0.0, 1.0, 0.0), LitfogPhaseLobe(1.0, 0.0, 0.0, 0.0));
 #endif
 
-LITFOG_FUNCTION bool litfog_is_isotropic(LitfogPhase phase) { return phase.asymmetry == LITFOG_REAL(0.0); }
-
-// The phase function at a cosine of the angle of scattering: 1 straight ahead, -1 straight back (Louis Henyey and Jesse
-// Greenstein 1941, "Diffuse Radiation in the Galaxy").
-LITFOG_FUNCTION LITFOG_REAL litfog_phase(LitfogPhase phase, LITFOG_REAL cosine) {
-  LITFOG_REAL square = phase.asymmetry * phase.asymmetry;
-  LITFOG_REAL base = LITFOG_REAL(1.0) + square - LITFOG_REAL(2.0) * phase.asymmetry * cosine;
-  return (LITFOG_REAL(1.0) - square) / (base * sqrt(base));
+LITFOG_FUNCTION LitfogPhaseLobe litfog_packed_lobe(LITFOG_REAL asymmetry, LITFOG_REAL alpha, LITFOG_REAL weight) {
+  LITFOG_REAL rest = LITFOG_REAL(1.0) - abs(asymmetry);
+  LITFOG_REAL of_alpha =
+      LITFOG_REAL(1.0) + alpha * (LITFOG_REAL(1.0) + LITFOG_REAL(2.0) * asymmetry * asymmetry) / LITFOG_REAL(3.0);
+  LitfogPhaseLobe lobe;
+  lobe.base = rest * rest;
+  lobe.slope = LITFOG_REAL(2.0) * asymmetry;
+  lobe.scale = weight * rest * (LITFOG_REAL(1.0) + abs(asymmetry)) / of_alpha;
+  lobe.alpha = alpha;
+  return lobe;
 }
 
-// The largest value between two cosines, lowest <= highest. The function rises with g times the cosine, of which no
-// digits cancel here at the peak: the base is the sum (1 - |g|)^2 + 2 |g| (1 - cosine), for g < 0 with -cosine.
+LITFOG_FUNCTION bool litfog_is_isotropic(LitfogPhase phase) {
+  return phase.first.slope == LITFOG_REAL(0.0) && phase.first.alpha == LITFOG_REAL(0.0) &&
+         phase.second.slope == LITFOG_REAL(0.0) && phase.second.alpha == LITFOG_REAL(0.0);
+}
+
+// Draine's function (litfog/phase.h). For g >= 0, 1 + g^2 - 2 g cosine is (1 - g)^2 + 2 g versine, in which no digits
+// cancel; a lobe with g < 0 is mirrored.
+LITFOG_FUNCTION LITFOG_REAL litfog_phase_lobe(LitfogPhaseLobe lobe, LITFOG_REAL versine) {
+  LITFOG_REAL cosine = LITFOG_REAL(1.0) - versine;
+  LITFOG_REAL from_peak = lobe.slope < LITFOG_REAL(0.0) ? LITFOG_REAL(2.0) - versine : versine;
+  LITFOG_REAL base = lobe.base + abs(lobe.slope) * from_peak;
+  return lobe.scale * (LITFOG_REAL(1.0) + lobe.alpha * cosine * cosine) / (base * sqrt(base));
+}
+
+LITFOG_FUNCTION LITFOG_REAL litfog_phase(LitfogPhase phase, LITFOG_REAL versine) {
+  return litfog_phase_lobe(phase.first, versine) + litfog_phase_lobe(phase.second, versine);
+}
+
+// An upper bound between two versines, lowest <= highest: each lobe falls and then rises with the versine, or does only
+// one of the two, so that its largest value lies at an end. For g >= 0 the derivative by the cosine c has the sign of
+// -alpha g c^2 + 2 alpha (1 + g^2) c + 3 g, whose larger root is at least (1 + g^2) / g >= 2: within [-1, 1] it changes
+// from negative to positive once or not at all. For g < 0 the lobe is mirrored.
 LITFOG_FUNCTION LITFOG_REAL litfog_largest_phase(LitfogPhase phase, LITFOG_REAL lowest, LITFOG_REAL highest) {
-  LITFOG_REAL size = abs(phase.asymmetry);
-  LITFOG_REAL rest = LITFOG_REAL(1.0) - size;
-  LITFOG_REAL nearest_to_peak = phase.asymmetry < LITFOG_REAL(0.0) ? -lowest : highest;
-  LITFOG_REAL base = rest * rest + LITFOG_REAL(2.0) * size * (LITFOG_REAL(1.0) - nearest_to_peak);
-  return (LITFOG_REAL(1.0) + size) * rest / (base * sqrt(base));
-}
-
-// Optical depths of fog that a phase function makes up for: at least the logarithm of its largest value over the angles
-// up to 90 degrees, and over those beyond. (1 + |g|) / (1 - |g|)^2 is at most e^(6 |g|) for |g| <= 0.9.
-LITFOG_FUNCTION LITFOG_REAL litfog_forward_depths(LitfogPhase phase) {
-  return LITFOG_REAL(6.0) * max(phase.asymmetry, LITFOG_REAL(0.0));
-}
-LITFOG_FUNCTION LITFOG_REAL litfog_backward_depths(LitfogPhase phase) {
-  return LITFOG_REAL(6.0) * max(-phase.asymmetry, LITFOG_REAL(0.0));
-}
-
-// How many nodes the airlight takes where the phase function is not isotropic.
-LITFOG_FUNCTION LITFOG_REAL litfog_phase_nodes(LitfogPhase phase) {
-  return abs(phase.asymmetry) > LITFOG_REAL(0.5) ? LITFOG_REAL(64.0) : LITFOG_REAL(40.0);
+  return max(litfog_phase_lobe(phase.first, lowest), litfog_phase_lobe(phase.first, highest)) +
+         max(litfog_phase_lobe(phase.second, lowest), litfog_phase_lobe(phase.second, highest));
 }
 
 #undef LITFOG_FUNCTION

@@ -8,6 +8,7 @@
 
 uniform vec3 eye;
 
+#include "airlight/far_peak.glsl"
 #include "airlight/shaft.glsl"  // uses the eye declared above
 
 layout(location = 0) out vec4 airlight;
@@ -23,20 +24,21 @@ float largest_gain(LitfogLight light, vec3 direction, float nearest, float farth
   vec3 to_light = light.position_extent.xyz - eye;
   float range = distance(direction * clamp(dot(to_light, direction), nearest, farthest), to_light);
   vec3 color = light.color_intensity.rgb;
-  return litfog_airlight_unit * max(max(color.r, color.g), color.b) *
+  return litfog_airlight_unit() * max(max(color.r, color.g), color.b) *
          litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
 }
 
-// The cosine of the angle by which a light's rays are scattered into the eye, at a range. It falls along a ray.
-float scattering_cosine(LitfogLight light, vec3 direction, float range) {
-  return -dot(direction, litfog_ray(light.position_extent.xyz, eye + direction * range).xyz);
+// The versine of the angle by which a light's rays are scattered into the eye, at a range. It rises along a ray.
+float scattering_versine(LitfogLight light, vec3 direction, float range) {
+  return 1.0 + dot(direction, litfog_ray(light.position_extent.xyz, eye + direction * range).xyz);
 }
 
 // The largest value of the phase function between two ranges of a ray.
 float largest_phase(LitfogLight light, vec3 direction, float nearest, float farthest) {
+  LitfogPhase phase = litfog_fog_phase();
   if (litfog_is_isotropic(phase)) return 1.0;
-  return litfog_largest_phase(phase, scattering_cosine(light, direction, farthest),
-                              scattering_cosine(light, direction, nearest));
+  return litfog_largest_phase(phase, scattering_versine(light, direction, nearest),
+                              scattering_versine(light, direction, farthest));
 }
 
 // The derivative of a light's airlight by the fog's opacity, at the end of a ray.
@@ -49,9 +51,10 @@ vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
   float weight = litfog_is_exp(litfog_fog_mode())
                      ? scale * exp(min((1.0 - scale) * density * range, 8.0))
                      : scale * scale * exp(min((1.0 - scale * scale) * pow(density * range, 2.0), 8.0));
-  vec3 lit = litfog_light_along(light, ray) * (litfog_airlight_unit * litfog_lamp_factor(light, ray.w) * weight) *
+  vec3 lit = litfog_light_along(light, ray) * (litfog_airlight_unit() * litfog_lamp_factor(light, ray.w) * weight) *
              lit_fraction_at(light_index, position);
-  return litfog_is_isotropic(phase) ? lit : lit * litfog_phase(phase, -dot(direction, ray.xyz));
+  LitfogPhase phase = litfog_fog_phase();
+  return litfog_is_isotropic(phase) ? lit : lit * litfog_phase(phase, 1.0 + dot(direction, ray.xyz));
 }
 
 // The fraction of a light's airlight that a grid of every grid_step-th pixel keeps, along a ray at a distance from the
@@ -105,8 +108,12 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
       ranges += seen[first + run];
     }
     float range = ranges / float(run);
-    sum += litfog_light_airlight(shown, eye, direction, range, phase) *
-           (0.25 * float(run) * lit_fraction(light_index, light, direction, range));
+    vec3 added = litfog_light_airlight(shown, eye, direction, range) *
+                 lit_fraction(light_index, light, direction, range);
+    if (!has_shafts) {
+      added += shown.color_intensity.rgb * (litfog_airlight_unit() * far_peak(light, eye, direction, range));
+    }
+    sum += 0.25 * float(run) * added;
     first += run;
   } while (first < 4);
   airlight.rgb += sum / shown_exposure;

@@ -6,6 +6,7 @@
 #include "airlight/far_airlight.glsl"
 #include "litfog/shaders/light_airlight.glsl"
 #include "litfog/shaders/light_buffer.glsl"
+#include "airlight/far_peak.glsl"
 #include "pixel_direction.glsl"
 
 uniform vec3 eye;
@@ -28,6 +29,7 @@ void main() {
   ivec2 place = ivec2(gl_FragCoord.xy);
   int first_slab = place.y / row_count * slabs_at_once;
   vec3 direction = pixel_direction(ivec2(place.x, place.y % row_count) * far_step);
+  LitfogPhase phase = litfog_fog_phase();
   vec3 slabs[slabs_at_once];
   for (int i = 0; i < slabs_at_once; ++i) slabs[i] = vec3(0.0);
   for (int i = 0; i < light_count; ++i) {
@@ -49,8 +51,8 @@ void main() {
       float arriving = litfog_cone(light, ray.xyz) *
                        litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
       float scattered = (end - begin - within) * fog_weight(density, seen, range) * arriving;
-      if (!litfog_is_isotropic(phase)) scattered *= litfog_phase(phase, -dot(direction, ray.xyz));
-      slabs[slab] += light.color_intensity.rgb * (litfog_airlight_unit * scattered);
+      if (!litfog_is_isotropic(phase)) scattered *= litfog_phase(phase, max(1.0 + dot(direction, ray.xyz), far_peak_versine));
+      slabs[slab] += light.color_intensity.rgb * (litfog_airlight_unit() * scattered);
     }
   }
   vec4 sum = vec4(0.0);

@@ -34,7 +34,7 @@ float lit_fraction(int light_index, LitfogLight light, vec3 direction, float ran
   int caster_index = texelFetch(caster_of_light, light_index).x;
   if (caster_index < 0) return 1.0;
   ShadowCaster caster = shadow_caster(caster_index);
-  LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range, phase);
+  LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
   // From the closest approach. What a wide beam leaves dark within it has no weight.
   LitfogAirlightStretch lit_part = litfog_airlight_lit(air);
   float low = lit_part.low;

@@ -9,9 +9,9 @@
 
 uniform samplerBuffer airlight_entries;  // render::AirlightEntry
 uniform int airlight_count;              // 0 where the scene is not lit by airlight
-uniform LitfogPhase phase;
 
 #include "airlight/far_airlight_at.glsl"
+#include "airlight/far_peak.glsl"
 #include "airlight/shaft.glsl"
 
 // The airlight before the fragment. The airlight of the picture without panes is added later, times what panes let
@@ -28,7 +28,10 @@ vec3 airlight_before(vec3 position) {
     vec3 offset = to_light - clamp(dot(to_light, direction), 0.0, range) * direction;
     if (dot(offset, offset) > entry.y * entry.y) continue;
     float lit = has_shafts ? lit_fraction(index, light, direction, range) : 1.0;
-    sum += lit * litfog_light_airlight(light, eye, direction, range, phase);
+    sum += lit * litfog_light_airlight(light, eye, direction, range);
+    if (!has_shafts) {
+      sum += light.color_intensity.rgb * (litfog_airlight_unit() * far_peak(light, eye, direction, range));
+    }
   }
   return sum + far_airlight_at(gl_FragCoord.xy, range);
 }
