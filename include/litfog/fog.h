@@ -46,6 +46,17 @@ using FogF = BasicFog<float>;
 /// What is wrong with a fog, or nothing.
 std::optional<ValueError> find_error(const Fog& fog);
 
+/// Largest error of visibility in ulp.
+inline constexpr double kVisibilityMaxUlp = 3;
+
+/// The visibility of a fog, the inverse of Fog::from_visibility.
+///
+/// contrast   c in (0, 1)
+/// returns    metres; infinity in clear air, 0 in total fog
+/// max error  kVisibilityMaxUlp                                                 (fog_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
+double visibility(const Fog& fog, double contrast = kContrastMor);
+
 /// Fog as a light class sees it: the density times the class's scale (1/2.5 for FlightGear's runway lights).
 ///
 /// density_scale  >= 0, finite; clear air stays clear and total fog stays total unless the scale is 0

@@ -5,6 +5,8 @@
 #include "c/convert.h"
 #include "c/layout.h"
 #include "litfog/fog.h"
+#include "litfog/runway_visual_range.h"
+#include "litfog/visual_threshold.h"
 #include "model/require.h"
 
 using namespace litfog;
@@ -36,6 +38,24 @@ litfog_status litfog_fog_from_visibility(int32_t mode, double metres, double con
 
 litfog_status litfog_phase_droplets(double micrometres, litfog_phase* phase) {
   return c::call([&] { c::at(phase, "phase") = c::to_c<litfog_phase>(Phase::droplets(micrometres)); });
+litfog_status litfog_fog_from_runway_visual_range(int32_t mode, double metres, double candela,
+                                                  double illuminance_threshold, litfog_fog* fog) {
+  return c::call([&] {
+    c::at(fog, "fog") =
+        c::to_c<litfog_fog>(fog_from_runway_visual_range(c::fog_mode(mode), metres, {candela, illuminance_threshold}));
+  });
+}
+
+litfog_status litfog_runway_visual_range(const litfog_fog* fog, double candela, double illuminance_threshold,
+                                         double* metres) {
+  return c::call([&] { c::at(metres, "metres") = runway_visual_range(c::fog(fog), {candela, illuminance_threshold}); });
+}
+
+litfog_status litfog_illuminance_threshold(double background, double* lux) {
+  return c::call([&] {
+    require_background(background);
+    c::at(lux, "lux") = illuminance_threshold(background);
+  });
 }
 
 litfog_status litfog_default_light(litfog_light* light) {

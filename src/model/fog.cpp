@@ -17,6 +17,13 @@ double optical_depth(const Fog& fog, double range) {
   return fog.mode == FogMode::exp ? formulas::depth_exp(range, fog.density) : formulas::depth_exp2(range, fog.density);
 }
 
+/// Density times visibility.
+double depth_of_visibility(FogMode mode, double contrast) {
+  if (!(contrast > 0 && contrast < 1)) require(ValueError{"contrast", contrast, "must be in (0, 1)"});
+  const double depth = -std::log(contrast);
+  return mode == FogMode::exp ? depth : std::sqrt(depth);
+}
+
 }  // namespace
 
 const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"; }
@@ -24,9 +31,7 @@ const char* name_of(FogMode mode) { return mode == FogMode::exp ? "exp" : "exp2"
 template <typename Real>
 BasicFog<Real> BasicFog<Real>::from_visibility(FogMode mode, Real metres, Real contrast) {
   if (!(metres >= 0)) require(ValueError{"visibility", metres, "must be >= 0"});
-  if (!(contrast > 0 && contrast < 1)) require(ValueError{"contrast", contrast, "must be in (0, 1)"});
-  const double depth = -std::log(double(contrast));
-  return {mode, Real((mode == FogMode::exp ? depth : std::sqrt(depth)) / std::abs(double(metres)))};  // -0 is 0
+  return {mode, Real(depth_of_visibility(mode, contrast) / std::abs(double(metres)))};  // -0 is 0
 }
 
 template struct BasicFog<double>;
@@ -35,6 +40,11 @@ template struct BasicFog<float>;
 std::optional<ValueError> find_error(const Fog& fog) {
   if (!(fog.density >= 0)) return ValueError{"fog.density", fog.density, "must be >= 0"};
   return std::nullopt;
+}
+
+double visibility(const Fog& fog, double contrast) {
+  require(find_error(fog));
+  return depth_of_visibility(fog.mode, contrast) / std::abs(fog.density);  // -0 is clear air
 }
 
 Fog unchecked::scaled(const Fog& fog, double density_scale) {

@@ -35,6 +35,13 @@ inline void require_time(double seconds) {
   if (!(seconds >= 0 && seconds <= kMaxFlashSeconds)) require(ValueError{"seconds", seconds, "must be in [0, 1e9]"});
 }
 
+/// Throws for a background's luminance that has no illuminance_threshold.
+inline void require_background(double luminance) {
+  if (!is_finite_and_not_negative(luminance)) {
+    require(ValueError{"background", luminance, "must be finite and >= 0"});
+  }
+}
+
 /// What is wrong with a colour with components of these names, or nothing.
 inline std::optional<ValueError> check_color(const glm::dvec3& color, const std::array<const char*, 3>& names) {
   for (int i = 0; i < 3; ++i) {

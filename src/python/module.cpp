@@ -23,6 +23,7 @@
 #include "litfog/flash.h"
 #include "litfog/fog.h"
 #include "litfog/light.h"
+#include "litfog/runway_visual_range.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
 #include "model/float_limit.h"
@@ -427,7 +428,16 @@ void bind_lights(py::module_& m) {
       .def_static("from_visibility", &Fog::from_visibility, py::arg("mode"), py::arg("metres"),
                   py::arg("contrast") = kContrastMor,
                   "The fog of a visibility: metres >= 0, infinity is no fog; contrast in (0, 1) is what is left of a\n"
-                  "dark object's contrast at that range. ValueError with field, value and rule.");
+                  "dark object's contrast at that range. ValueError with field, value and rule.")
+      .def_static(
+          "from_runway_visual_range",
+          [](FogMode mode, double metres, double candela, double illuminance_threshold) {
+            return fog_from_runway_visual_range(mode, metres, {candela, illuminance_threshold});
+          },
+          py::arg("mode"), py::arg("metres"), py::arg("candela") = RunwayLights{}.candela,
+          py::arg("illuminance_threshold") = RunwayLights{}.illuminance_threshold,
+          "The fog of a runway visual range, at which lamps of these candela reach the threshold in lux, or markings\n"
+          "that of their contrast: at night, 550 m is a visibility of 155 m. ValueError with field, value and rule.");
   make_record(fog, {"mode", "density"});
   py::class_<PhaseLobe> lobe(m, "PhaseLobe", "A lobe of a phase function, Draine's.");
   lobe.def(py::init([](double asymmetry, double alpha) { return PhaseLobe{asymmetry, alpha}; }),
@@ -472,6 +482,23 @@ void bind_lights(py::module_& m) {
       },
       py::arg("mode"), py::arg("metres"), py::arg("contrast") = kContrastMor,
       "The density of Fog.from_visibility in 1/m; metres are a number or an array.");
+
+  m.def(
+      "runway_visual_range",
+      [](const Fog& air_fog, double candela, double illuminance_threshold) {
+        return runway_visual_range(air_fog, {candela, illuminance_threshold});
+      },
+      py::arg("fog"), py::arg("candela") = RunwayLights{}.candela,
+      py::arg("illuminance_threshold") = RunwayLights{}.illuminance_threshold,
+      "The runway visual range of a fog in metres, the inverse of Fog.from_runway_visual_range.");
+  m.def(
+      "illuminance_threshold",
+      [](double background) {
+        require_background(background);
+        return illuminance_threshold(background);
+      },
+      py::arg("background"),
+      "The lux at the eye from which a lamp is seen before a background of these cd/m2, after ICAO.");
 
   py::class_<Attenuation> attenuation(
       m, "Attenuation",

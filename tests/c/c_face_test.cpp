@@ -21,6 +21,7 @@
 #include "litfog/c/litfog.h"
 #include "litfog/files/light_file.h"
 #include "litfog/fog_light_block.h"
+#include "litfog/runway_visual_range.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
 #include "reference/random_light.h"
@@ -428,6 +429,30 @@ TEST_F(CFace, ValuesThatBreakTheirRuleAreRefusedAndResultsLeftAlone) {
   ASSERT_EQ(litfog_light_clusters_create(nullptr, &clusters), LITFOG_OK);
   EXPECT_EQ(litfog_light_clusters_resize(clusters, std::numeric_limits<std::size_t>::max()), LITFOG_INVALID_ARGUMENT);
   litfog_light_clusters_destroy(clusters);
+}
+
+TEST_F(CFace, RunwayVisualRangeIsThatOfCppBothWays) {
+  litfog_fog fog{};
+  ASSERT_EQ(litfog_fog_from_runway_visual_range(LITFOG_FOG_EXP2, 550, 5000, 1e-5, &fog), LITFOG_OK);
+  EXPECT_EQ(fog.mode, LITFOG_FOG_EXP2);
+  EXPECT_EQ(fog.density, fog_from_runway_visual_range(FogMode::exp2, 550, {5000, 1e-5}).density);
+  double metres = 0;
+  ASSERT_EQ(litfog_runway_visual_range(&fog, 5000, 1e-5, &metres), LITFOG_OK);
+  EXPECT_EQ(metres, runway_visual_range({FogMode::exp2, fog.density}, {5000, 1e-5}));
+  double threshold = 0;
+  ASSERT_EQ(litfog_illuminance_threshold(40, &threshold), LITFOG_OK);
+  EXPECT_EQ(threshold, illuminance_threshold(40));
+
+  EXPECT_EQ(litfog_fog_from_runway_visual_range(LITFOG_FOG_EXP, 1001, 100, 1e-4, &fog), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(),
+               "runway_visual_range = 1001: must be at most sqrt(candela / illuminance_threshold), where the lamps are "
+               "last seen in clear air");
+  EXPECT_EQ(litfog_runway_visual_range(&fog, 100, 0, &metres), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "illuminance_threshold = 0: must be finite and > 0");
+  for (const double background : {-1.0, kInfinity, kNaN}) {
+    EXPECT_EQ(litfog_illuminance_threshold(background, &threshold), LITFOG_INVALID_ARGUMENT);
+  }
+  EXPECT_STREQ(litfog_last_error(), "background = nan: must be finite and >= 0");
 }
 
 TEST_F(CFace, ArgumentsOutsideTheirStatedRangesAreRefused) {

@@ -56,6 +56,15 @@ static void solve(void) {
   EXPECT(reach > 0 && reach <= exact.extent);
 }
 
+static void convert_runway_visual_range(void) {
+  litfog_fog fog;
+  double metres, threshold;
+  EXPECT_OK(litfog_illuminance_threshold(10, &threshold));
+  EXPECT_OK(litfog_fog_from_runway_visual_range(LITFOG_FOG_EXP, 550, 10000, threshold, &fog));
+  EXPECT_OK(litfog_runway_visual_range(&fog, 10000, threshold, &metres));
+  EXPECT(fabs(metres - 550) < 1e-9);
+}
+
 static void solve_batch(void) {
   const double constant[] = {1, 1, -1}, linear[] = {0, 0.5, 0}, quadratic[] = {9.5e-5, 0, 1}, threshold = 0.05;
   const double density = fog_of(1500).density;
@@ -184,6 +193,7 @@ int main(int count, char** arguments) {
   snprintf(version, sizeof version, "%d.%d.%d", LITFOG_VERSION_MAJOR, LITFOG_VERSION_MINOR, LITFOG_VERSION_PATCH);
   EXPECT(strcmp(litfog_version(), version) == 0);
   solve();
+  convert_runway_visual_range();
   solve_batch();
   update();
   pack();

@@ -84,6 +84,28 @@ TEST(FogFromVisibility, FogFactorAtTheVisibilityIsTheContrast) {
   }
 }
 
+TEST(Visibility, VisibilityIsExactToThreeUlp) {
+  WorstError error("visibility", "d 1e-6..1e3, presets", kVisibilityMaxUlp);
+  Random random(6);
+  for (const FogMode mode : kModes) {
+    for (int i = 0; i < 5000; ++i) {
+      const double density = random.log_uniform(1e-6, 1e3);
+      const double contrast = random.pick(kPresets);
+      error.add(ulp_error(visibility({mode, density}, contrast), reference_density(mode, density, contrast)),
+                [&] { return describe(mode, density, contrast); });
+    }
+    EXPECT_EQ(visibility({mode, 0}), kInfinity);
+    EXPECT_EQ(visibility({mode, -0.0}), kInfinity);
+    EXPECT_EQ(visibility({mode, kInfinity}), 0);
+  }
+  error.check();
+}
+
+TEST(Visibility, WrongFogOrContrastIsAnError) {
+  EXPECT_EQ(error_of([] { visibility({FogMode::exp, -1}); }), "fog.density = -1: must be >= 0");
+  EXPECT_EQ(error_of([] { visibility({}, 1); }), "contrast = 1: must be in (0, 1)");
+}
+
 TEST(FogFromVisibility, DefaultContrastIsThatOfTheMeteorologicalOpticalRange) {
   for (const FogMode mode : kModes) {
     EXPECT_EQ(Fog::from_visibility(mode, 300), Fog::from_visibility(mode, 300, 0.05));

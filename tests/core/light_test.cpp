@@ -140,6 +140,15 @@ TEST(VisualThreshold, ThresholdIsTheFormulasAndRisesWithTheBackground) {
   }
 }
 
+// The steps change where the background's luminance is, as commonly given, 50, 1000 and 12,000 cd/m2.
+TEST(VisualThreshold, FormulaPassesMidwayBetweenThePilotsSteps) {
+  for (const auto& [background, step] : {std::pair{50., 1u}, {1000., 2u}, {12'000., 3u}}) {
+    const double below = kVisualThresholds[step].illuminance;
+    const double above = kVisualThresholds[step + 1].illuminance;
+    EXPECT_NEAR(illuminance_threshold(background) / std::sqrt(below * above), 1, 0.02) << background;
+  }
+}
+
 template <typename Change>
 std::string placed_error_after(const Change& change) {
   return error_after<PlacedLight>(change);

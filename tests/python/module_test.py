@@ -262,6 +262,21 @@ class SolveTest(unittest.TestCase):
             )
             self.assertEqual(subprocess.run([sys.executable, "-c", script, large]).returncode, 7)
 
+    def test_runway_visual_range_goes_both_ways(self):
+        fog = litfog.Fog.from_runway_visual_range(litfog.FogMode.exp, 550)
+        self.assertAlmostEqual(math.log(20) / fog.density, 155, delta=0.5)
+        self.assertAlmostEqual(litfog.runway_visual_range(fog), 550, delta=1e-9)
+        by_day = {"candela": 5000, "illuminance_threshold": litfog.illuminance_threshold(1000)}
+        fog = litfog.Fog.from_runway_visual_range(litfog.FogMode.exp2, 300, **by_day)
+        self.assertAlmostEqual(litfog.runway_visual_range(fog, **by_day), 300, delta=1e-9)
+        self.assertEqual(litfog.runway_visual_range(litfog.Fog()), math.inf)
+        with self.assertRaisesRegex(ValueError, r"^runway_visual_range = 1001: must be at most sqrt\("):
+            litfog.Fog.from_runway_visual_range(litfog.FogMode.exp, 1001, 100, 1e-4)
+        with self.assertRaisesRegex(ValueError, "^candela = -1: must be finite and >= 0$"):
+            litfog.runway_visual_range(fog, -1)
+        with self.assertRaisesRegex(ValueError, "^background = nan: must be finite and >= 0$"):
+            litfog.illuminance_threshold(math.nan)
+
     def test_densities_of_arrays_are_those_of_single_fogs(self):
         metres = np.array([[0.0, 50, 400], [1500, 1e4, math.inf]])
         for mode in (litfog.FogMode.exp, litfog.FogMode.exp2):

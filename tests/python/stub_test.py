@@ -5,6 +5,8 @@ import litfog
 import numpy as np
 
 fog = litfog.Fog.from_visibility(litfog.FogMode.exp2, 400, contrast=litfog.CONTRAST_KOSCHMIEDER)
+fog = litfog.Fog.from_runway_visual_range(fog.mode, 550, illuminance_threshold=litfog.illuminance_threshold(10))
+metres: float = litfog.runway_visual_range(fog, candela=5000)
 lamp: litfog.Light = litfog.read_light("lamp.json")
 peak: float = litfog.solve_fog_intensity(lamp, fog).intensity
 for dtype in (np.float32, np.float64):

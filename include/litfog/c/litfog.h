@@ -101,6 +101,23 @@ LITFOG_API litfog_status litfog_fog_from_visibility(int32_t mode, double metres,
 ///
 /// micrometres  the droplets' diameter, [5, 50]
 LITFOG_API litfog_status litfog_phase_droplets(double micrometres, litfog_phase* phase);
+/// The fog of a runway visual range, how far lamps or markings are seen (litfog/runway_visual_range.h).
+///
+/// mode                   LITFOG_FOG_*
+/// metres                 >= 0, at most sqrt(candela / illuminance_threshold) unless candela is 0; infinity is no fog,
+/// 0
+///                        is total fog
+/// candela                a lamp's intensity, finite, >= 0; 0: markings alone are seen. 10,000 is a new edge light's.
+/// illuminance_threshold  lux at the eye from which a lamp is seen, finite, > 0; 8e-7 is a pilot's by night
+LITFOG_API litfog_status litfog_fog_from_runway_visual_range(int32_t mode, double metres, double candela,
+                                                             double illuminance_threshold, litfog_fog* fog);
+/// The runway visual range of a fog; infinite in clear air.
+LITFOG_API litfog_status litfog_runway_visual_range(const litfog_fog* fog, double candela, double illuminance_threshold,
+                                                    double* metres);
+/// The lux at the eye from which a lamp is seen before a background (litfog/visual_threshold.h).
+///
+/// background  luminance, cd/m2, finite, >= 0
+LITFOG_API litfog_status litfog_illuminance_threshold(double background, double* lux);
 
 // --- lights (litfog/light.h) ---
 
