@@ -6,6 +6,7 @@
 #include <emscripten/html5.h>
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <exception>
@@ -255,7 +256,10 @@ EMSCRIPTEN_KEEPALIVE double page_least_visibility() { return window::kMinVisibil
 EMSCRIPTEN_KEEPALIVE double page_most_visibility() { return window::kMaxVisibility; }
 EMSCRIPTEN_KEEPALIVE int page_preset_count() { return int(window::kVisibilityPresets.size()); }
 EMSCRIPTEN_KEEPALIVE const char* page_preset_name(int i) { return window::kVisibilityPresets[std::size_t(i)].name; }
-EMSCRIPTEN_KEEPALIVE double page_preset_metres(int i) { return window::kVisibilityPresets[std::size_t(i)].metres; }
+/// mode  as of page_set_fog; returns metres of visibility
+EMSCRIPTEN_KEEPALIVE double page_preset_metres(int i, int mode, double contrast) {
+  return window::kVisibilityPresets[std::size_t(i)].visibility(FogMode(std::max(mode, 0)), contrast).value();
+}
 EMSCRIPTEN_KEEPALIVE const char* page_preset_meaning(int i) {
   return window::kVisibilityPresets[std::size_t(i)].meaning;
 }

@@ -11,7 +11,8 @@ void check_options(const CLI::App& app, const std::vector<OptionRule>& rules) {
   for (const OptionRule& rule : rules) {
     if (!rule.applies) continue;
     for (const std::string& option : rule.excluded) {
-      if (app.count(option) == 0) continue;
+      const CLI::Option* const given = app.get_option_no_throw(option);  // null: rules are shared by jobs that lack it
+      if (given == nullptr || given->count() == 0) continue;
       throw CLI::ValidationError(option + " cannot be given with " + rule.condition +
                                  (rule.reason.empty() ? "" : ": " + rule.reason));
     }

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <limits>
 
 #include "command/command.h"
 #include "command/number.h"
+#include "command/runway_lights.h"
 #include "render/plan/lighting_path.h"
 
 namespace litfog::drawing {
@@ -33,13 +35,17 @@ void parse_size(const std::string& text, DrawingOptions& options) {
 }
 
 /// command::add_number for an option without a default, whose target is made of a number.
+///
+/// then  what else is to be done
 template <typename Target>
-void add_number(CLI::App& app, const std::string& name, std::optional<Target>& target, command::NumberRule rule,
-                const std::string& description) {
-  const auto parse = [&target, name, rule](const std::string& text) {
+void add_number(
+    CLI::App& app, const std::string& name, std::optional<Target>& target, command::NumberRule rule,
+    const std::string& description, const std::function<void()>& then = [] {}) {
+  const auto parse = [&target, name, rule, then](const std::string& text) {
     const auto number = command::parse_number(text, rule);
     if (!number) command::fail_option(name, text, rule.text);
     target = Target{*number};
+    then();
   };
   app.add_option_function<std::string>(name, parse, description)->type_name("NUMBER");
 }
@@ -84,7 +90,12 @@ const command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::k
 
 double DrawingOptions::visibility_in(const scene::Scene& scene) const {
   if (!fog) return std::numeric_limits<double>::infinity();
+  if (runway_visual_range) return visibility_of_runway_visual_range(*runway_visual_range);
   return visibility.value_or(scene::suggested_visibility(scene));
+}
+
+double DrawingOptions::visibility_of_runway_visual_range(double metres) const {
+  return litfog::visibility(fog_from_runway_visual_range(fog_mode(), metres, runway_lights), contrast);
 }
 
 render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& path) const {
@@ -122,8 +133,16 @@ void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
                                               "Law by which fog dims light over range (default exp)");
   add_number(app, "--visibility", options.visibility, command::kNotNegative,
              "Range in metres at which a fraction of the contrast is left; inf is clear air (default: what the scene "
-             "suggests)");
+             "suggests)",
+             [&options] { options.runway_visual_range.reset(); });
   command::add_contrast(app, options.contrast);
+  command::add_runway_lights(app, options.runway_lights);
+  add_number(app, "--rvr", options.runway_visual_range, command::kNotNegative,
+             "Runway visual range in metres, in place of --visibility: how far lamps of --lamp-cd are seen",
+             [&options] {
+               options.visibility.reset();
+               command::expect_lamps_reach(*options.runway_visual_range, options.runway_lights);
+             });
   add_phase(app, options);
 }
 
@@ -205,7 +224,16 @@ std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& opti
   const std::string name = fmt::format("--path {}", path.name);
   const Shadows shadows = options.render.shadows;
   const bool is_peak = options.settings().fog_lighting == render::FogLighting::peak;
-  return {{"--fog none", !options.fog, {"--visibility", "--contrast", "--phase", "--phase-g", "--albedo"}, "the air is clear"},
+  const bool has_range = options.runway_visual_range.has_value();
+  return {{"--fog none",
+           !options.fog,
+           {"--visibility", "--contrast", "--rvr", "--phase", "--phase-g", "--albedo"},
+           "the air is clear"},
+          {"--rvr", has_range, {"--visibility", "--contrast"}, "lamps and threshold give its meaning"},
+          {options.visibility ? "--visibility" : "the scene's visibility",
+           !has_range,
+           {"--rvr", "--lamp-cd", "--background-cd-m2", "--threshold-lx"},
+           "only --rvr depends on them"},
           {name, shadows != Shadows::none && !path.takes_airlight, {"--shadows"}, why_without_airlight(path)},
           {options.fog_light ? "--fog-light peak" : name,
            shadows == Shadows::shafts && is_peak,

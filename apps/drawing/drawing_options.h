@@ -8,6 +8,7 @@
 #include "command/option_rule.h"
 #include "drawing/display_options.h"
 #include "litfog/atmosphere.h"
+#include "litfog/runway_visual_range.h"
 #include "render/render_settings.h"
 #include "scene/scene.h"
 
@@ -25,13 +26,15 @@ extern const command::NumberRule kSeconds;  ///< for --time
 
 /// What the jobs of litfog-demo have in common: how they draw. A job adds the options that mean something to it.
 struct DrawingOptions {
-  std::optional<FogMode> fog = FogMode::exp;  ///< none: clear air
-  std::optional<double> visibility = {};      ///< metres; default: what each scene suggests
-  double contrast = kContrastMor;             ///< that is left at the visibility, (0, 1)
-  std::string phase = {};                     ///< of the fog, as phase_named() takes it; default: the scenes' own
-  std::optional<double> albedo = {};          ///< of the fog, [0, 1]; default: the scenes' own
-  double seconds = 0;                         ///< for which the scenes' lights have been turning and flashing
-  int width = 1280;                           ///< pixels
+  std::optional<FogMode> fog = FogMode::exp;       ///< none: clear air
+  std::optional<double> visibility = {};           ///< metres; default: what each scene suggests
+  double contrast = kContrastMor;                  ///< that is left at the visibility, (0, 1)
+  std::optional<double> runway_visual_range = {};  ///< metres, in place of the visibility
+  RunwayLights runway_lights = {};
+  std::string phase = {};             ///< of the fog, as phase_named() takes it; default: the scenes' own
+  std::optional<double> albedo = {};  ///< of the fog, [0, 1]; default: the scenes' own
+  double seconds = 0;                 ///< for which the scenes' lights have been turning and flashing
+  int width = 1280;                   ///< pixels
   int height = 720;
   render::RenderSettings render = {};
   std::optional<render::FogLighting> fog_light = {};  ///< default: airlight along `unified`, peak along the others
@@ -41,6 +44,8 @@ struct DrawingOptions {
 
   /// Metres: the visibility that is asked for, else the one that the scene suggests; infinite in clear air.
   double visibility_in(const scene::Scene& scene) const;
+  /// The visibility of a runway visual range, both in metres.
+  double visibility_of_runway_visual_range(double metres) const;
   /// How a path draws. One that takes no airlight draws the peak whatever is asked for.
   render::RenderSettings settings_of(const render::LightingPath& path) const;
   /// How the chosen path draws: by `render`, except for what fog_light states and the path excludes.
@@ -55,7 +60,7 @@ struct DrawingOptions {
 
 /// --fog, for a job that draws clear air anyway, --phase and --albedo.
 void add_fog(CLI::App& app, DrawingOptions& options);
-/// --fog, which may be none, --visibility, --contrast, --phase and --albedo.
+/// --fog, which may be none, --visibility, --contrast, --rvr with its lamps, --phase and --albedo.
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
 /// Whether a path is lookup-3d or lookup-2d, to which --flat-shading and --light-ambient belong.
 bool is_hales_lookup(const render::LightingPath& path);

@@ -17,6 +17,7 @@
 #include "command/option_rule.h"
 #include "command/output_files.h"
 #include "command/progress.h"
+#include "command/runway_lights.h"
 #include "command/table.h"
 #include "command/uncaught.h"
 #include "files/hint.h"
@@ -24,6 +25,7 @@
 #include "litfog/airlight.h"
 #include "litfog/files/light_file.h"
 #include "litfog/input_error.h"
+#include "litfog/runway_visual_range.h"
 #include "litfog/solve.h"
 #include "text/file_text.h"
 #include "text/system_reason.h"
@@ -43,9 +45,11 @@ constexpr const char* kDescription =
     R"(Computes how brightly a light makes fog glow: the intensity, the range where it peaks, the light's extent and
 airlight.
 
-  litfog-solve --constant C --linear L --quadratic Q  --visibility M[,M...] | --density D[,D...]  [OPTIONS]
-  litfog-solve --light FILE...                        --visibility M[,M...] | --density D[,D...]  [OPTIONS]
+  litfog-solve --constant C --linear L --quadratic Q  FOG  [OPTIONS]
+  litfog-solve --light FILE...                        FOG  [OPTIONS]
   litfog-solve --csv FILE|-
+
+FOG is --visibility M[,M...], --rvr M[,M...] or --density D[,D...].
 )";
 
 constexpr const char* kExamples =
@@ -57,6 +61,7 @@ the opacity 1 - f(r). It is never below the intensity.
 
 Examples:
   litfog-solve --constant 1 --quadratic 0.0002 --visibility 50,200,1000
+  litfog-solve --light runway-edge.json --rvr 550,300,175,50 --threshold-lx 1e-4
   litfog-solve --light landing-lamp.json headlight.json --fog exp2 --density 0.01 --format json
   litfog-solve --csv rows.csv > solved.csv     rows.csv starts: fog,density,constant,linear,quadratic,threshold
 
@@ -74,6 +79,8 @@ struct Options {
   FogMode mode = FogMode::exp;
   std::vector<double> visibilities;
   double contrast = litfog::kContrastMor;
+  std::vector<double> runway_visual_ranges;
+  litfog::RunwayLights runway_lights;
   std::vector<double> densities;
   std::optional<double> threshold;
   Method method = Method::exact;
@@ -103,9 +110,23 @@ std::vector<Light> lights_of(const Options& options) {
   return lights;
 }
 
+/// The fogs that are asked for.
+std::vector<Fog> fogs_of(const Options& options) {
+  std::vector<Fog> fogs;
+  for (const double metres : options.visibilities) {
+    fogs.push_back(Fog::from_visibility(options.mode, metres, options.contrast));
+  }
+  for (const double metres : options.runway_visual_ranges) {
+    fogs.push_back(fog_from_runway_visual_range(options.mode, metres, options.runway_lights));
+  }
+  for (const double density : options.densities) fogs.push_back({options.mode, density});
+  return fogs;
+}
+
 /// One row for each light in each fog.
 ExitStatus solve_table(const Options& options) {
-  const bool has_visibility = !options.visibilities.empty();
+  const bool has_visibility = options.densities.empty();
+  const std::vector<Fog> fogs = fogs_of(options);
   Table table;
   table.columns = {"light", "fog"};
   if (has_visibility) table.columns.push_back("visibility_m");
@@ -116,16 +137,16 @@ ExitStatus solve_table(const Options& options) {
 
   ExitStatus status = kDone;
   for (const Light& light : lights_of(options)) {
-    for (const double value : has_visibility ? options.visibilities : options.densities) {
-      const Fog scene_fog =
-          has_visibility ? Fog::from_visibility(options.mode, value, options.contrast) : Fog{options.mode, value};
-      const Fog fog = scaled(scene_fog, light.density_scale);
+    for (std::size_t i = 0; i < fogs.size(); ++i) {
+      const Fog fog = scaled(fogs[i], light.density_scale);
       const auto [constant, linear, quadratic] = light.attenuation;
       const FogIntensity result = solve(options, light.attenuation, fog, light.threshold);
       if (result.status != SolveStatus::ok) status = kNotToTolerance;
       auto& row = table.rows.emplace_back();
       row = {light.name, name_of(fog.mode)};
-      if (has_visibility) row.emplace_back(value);
+      if (has_visibility) {
+        row.emplace_back(options.visibilities.empty() ? visibility(fogs[i]) : options.visibilities[i]);
+      }
       for (const double cell :
            {fog.density, constant, linear, quadratic, light.threshold, result.extent, result.peak_range,
             result.intensity, axial_airlight(light.attenuation, fog, light.threshold)}) {
@@ -334,13 +355,18 @@ ExitStatus solve_batch(const Options& options) {
 /// What the options mean together.
 void check_form(const CLI::App& app, const Options& options) {
   const auto is_given = [&app](const char* name) { return app.count(name) > 0; };
-  check_options(app, {{"--method exact", options.method == Method::exact, {"--samples"}, "it takes none"},
-                      {"--csv",
-                       is_given("--csv"),
-                       {"--constant", "--linear", "--quadratic", "--light", "--fog", "--visibility", "--contrast",
-                        "--density", "--threshold", "--format"}},
-                      {"--light", is_given("--light"), {"--constant", "--linear", "--quadratic"}},
-                      {"--density", is_given("--density"), {"--visibility", "--contrast"}}});
+  check_options(
+      app, {{"--method exact", options.method == Method::exact, {"--samples"}, "it takes none"},
+            {"--csv",
+             is_given("--csv"),
+             {"--constant", "--linear", "--quadratic", "--light", "--fog", "--visibility", "--contrast", "--rvr",
+              "--lamp-cd", "--background-cd-m2", "--threshold-lx", "--density", "--threshold", "--format"}},
+            {"--light", is_given("--light"), {"--constant", "--linear", "--quadratic"}},
+            {"--density",
+             is_given("--density"),
+             {"--visibility", "--contrast", "--rvr", "--lamp-cd", "--background-cd-m2", "--threshold-lx"}},
+            {"--visibility", is_given("--visibility"), {"--rvr", "--lamp-cd", "--background-cd-m2", "--threshold-lx"}},
+            {"--rvr", is_given("--rvr"), {"--contrast"}, "its visibility_m is always by mor"}});
   if (is_given("--csv")) return;
   if (!is_given("--light") && !is_given("--constant") && !is_given("--linear") && !is_given("--quadratic")) {
     fail_form("a light must be given: --constant, --linear, --quadratic or --light or --csv");
@@ -350,9 +376,10 @@ void check_form(const CLI::App& app, const Options& options) {
       fail_option("--constant", fmt::format("{}", error->value), error->rule);
     }
   }
-  if (!is_given("--density") && !is_given("--visibility")) {
-    fail_form("a fog must be given: --visibility or --density");
+  if (!is_given("--density") && !is_given("--visibility") && !is_given("--rvr")) {
+    fail_form("a fog must be given: --visibility, --rvr or --density");
   }
+  for (const double metres : options.runway_visual_ranges) expect_lamps_reach(metres, options.runway_lights);
 }
 
 }  // namespace
@@ -372,6 +399,9 @@ int main(int argc, char** argv) {
                       "Fog's falloff, exp if not given");
   add_numbers(app, "--visibility", options.visibilities, kNotNegative, "Visibilities in metres; inf is clear air");
   add_contrast(app, options.contrast);
+  add_runway_lights(app, options.runway_lights);
+  add_numbers(app, "--rvr", options.runway_visual_ranges, kNotNegative,
+              "Runway visual ranges in metres instead of visibilities, which are then printed: by mor");
   add_numbers(app, "--density", options.densities, kNotNegative,
               "Fog densities in 1/m instead of visibilities; inf is total fog");
   double threshold = 0;

@@ -17,6 +17,10 @@ Session::Session(drawing::SceneOptions given, scene::Scene scene, const drawing:
       scene_(std::move(scene)),
       lights_(std::make_shared<const std::vector<PlacedLight>>(scene_.lights)) {
   for (drawing::DrawingOptions& each : settings) {
+    if (each.runway_visual_range) {
+      each.visibility = each.visibility_of_runway_visual_range(*each.runway_visual_range);
+      each.runway_visual_range.reset();
+    }
     if (!each.visibility) each.visibility = scene::suggested_visibility(scene_);
   }
   std::vector<bool> is_met(scene_.light_members.size());

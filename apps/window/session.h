@@ -24,7 +24,7 @@ class Session {
  public:
   /// given     where the scene is from
   /// scene     of which meshes and materials do not matter
-  /// settings  without a visibility the scene's own is taken
+  /// settings  without a visibility that of the runway visual range is taken, or the scene's own
   Session(drawing::SceneOptions given, scene::Scene scene, const drawing::DrawingOptions& settings);
 
   // Two settings, A and B, which split views compare. B is a copy of A until the view is split for the first time.

@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 
 #include "render/plan/lighting_path.h"
+#include "text/shown_number.h"
 #include "window/controls.h"
 #include "window/visibility_preset.h"
 
@@ -41,8 +42,13 @@ void draw_presets(drawing::DrawingOptions& options) {
       ImGui::SameLine();
       if (ImGui::GetCursorPosX() + width > right) ImGui::NewLine();
     }
-    if (ImGui::Button(preset.name)) options.visibility = preset.metres;
-    explain(preset.meaning);
+    const auto visibility = preset.visibility(options.fog_mode(), options.contrast, options.runway_lights);
+    ImGui::BeginDisabled(!visibility);
+    if (ImGui::Button(preset.name)) options.visibility = visibility;
+    ImGui::EndDisabled();
+    explain(preset.is_runway_visual_range && visibility
+                ? fmt::format("{}; visibility {} m", preset.meaning, shown_rounded(*visibility, 4)).c_str()
+                : preset.meaning);
   }
   ImGui::PopStyleVar();
 }
@@ -77,7 +83,16 @@ void draw_fog(Session& session) {
   }
   explain("The contrast that is left at the visibility: what its metres mean");
   ImGui::EndDisabled();
-  ImGui::TextDisabled("density %.4g / m", session.fog(session.edited).density);
+  const Fog fog = session.fog(session.edited);
+  const double range = runway_visual_range(fog, options.runway_lights);
+  if (std::isinf(range)) {
+    ImGui::TextDisabled("clear air");
+  } else {
+    ImGui::TextDisabled("RVR %.4g m, density %.4g / m", range, fog.density);
+  }
+  explain(fmt::format("Runway visual range: how far lamps of {} cd are seen from {} lx at the eye, or markings",
+                      options.runway_lights.candela, options.runway_lights.illuminance_threshold)
+              .c_str());
 }
 
 void draw_lighting(drawing::DrawingOptions& options) {

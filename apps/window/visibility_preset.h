@@ -3,14 +3,25 @@
 
 #include <array>
 #include <limits>
+#include <optional>
+
+#include "litfog/runway_visual_range.h"
 
 namespace litfog::window {
 
-/// A visibility that has a name.
+/// A visibility or runway visual range that has a name.
 struct VisibilityPreset {
   const char* name;
   double metres;
+  bool is_runway_visual_range;
   const char* meaning;  ///< one sentence
+
+  /// Metres: the visibility in fog of a mode, by a contrast; nothing where the lamps are not seen so far in clear air.
+  std::optional<double> visibility(FogMode mode, double contrast, const RunwayLights& lights = {}) const {
+    if (!is_runway_visual_range) return metres;
+    if (find_runway_visual_range_error(metres, lights)) return std::nullopt;
+    return litfog::visibility(fog_from_runway_visual_range(mode, metres, lights), contrast);
+  }
 };
 
 // The slider's ends. Clear air is a preset.
@@ -18,16 +29,15 @@ inline constexpr double kMinVisibility = 5;  ///< metres
 inline constexpr double kMaxVisibility = 50'000;
 
 /// Approach categories by their lowest runway visual range: ICAO Annex 6 as the AIP of India quotes it (AD 2.1, "Low
-/// visibility procedures"). That is how far lamps are seen, and is taken for the visibility, whatever contrast that
-/// means.
+/// visibility procedures").
 inline constexpr std::array<VisibilityPreset, 7> kVisibilityPresets{{
-    {"CAT IIIB", 50, "Lowest runway visual range of category IIIB: 50 m"},
-    {"CAT IIIA", 175, "Lowest runway visual range of category IIIA: 175 m"},
-    {"CAT II", 300, "Lowest runway visual range of category II: 300 m"},
-    {"CAT I", 550, "Lowest runway visual range of category I: 550 m"},
-    {"Fog", 1000, "What reduces the visibility below 1 km is called fog"},
-    {"10 km", 10'000, "The most that aviation reports"},
-    {"Clear", std::numeric_limits<double>::infinity(), "No fog"},
+    {"CAT IIIB", 50, true, "Lowest runway visual range of category IIIB: 50 m"},
+    {"CAT IIIA", 175, true, "Lowest runway visual range of category IIIA: 175 m"},
+    {"CAT II", 300, true, "Lowest runway visual range of category II: 300 m"},
+    {"CAT I", 550, true, "Lowest runway visual range of category I: 550 m"},
+    {"Fog", 1000, false, "What reduces the visibility below 1 km is called fog"},
+    {"10 km", 10'000, false, "The most that aviation reports"},
+    {"Clear", std::numeric_limits<double>::infinity(), false, "No fog"},
 }};
 
 }  // namespace litfog::window

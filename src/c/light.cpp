@@ -38,6 +38,8 @@ litfog_status litfog_fog_from_visibility(int32_t mode, double metres, double con
 
 litfog_status litfog_phase_droplets(double micrometres, litfog_phase* phase) {
   return c::call([&] { c::at(phase, "phase") = c::to_c<litfog_phase>(Phase::droplets(micrometres)); });
+}
+
 litfog_status litfog_fog_from_runway_visual_range(int32_t mode, double metres, double candela,
                                                   double illuminance_threshold, litfog_fog* fog) {
   return c::call([&] {

@@ -41,6 +41,7 @@ TEST(OptionRule, ExcludedOptionIsAUsageErrorWithItsReason) {
 TEST(OptionRule, OtherOptionsAndConditionsAreAccepted) {
   EXPECT_EQ(error_of("--fog", {{"--density", true, {"--visibility"}}}), "");
   EXPECT_EQ(error_of("--fog --visibility", {{"--fog none", false, {"--visibility"}}}), "");
+  EXPECT_EQ(error_of("--fog", {{"--fog none", true, {"--an-option-of-other-jobs"}}}), "");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "command/command_test.h"
 #include "command/exit_status.h"
+#include "litfog/runway_visual_range.h"
 #include "reference/srgb.h"
 #include "render/plan/lighting_path.h"
 
@@ -239,6 +240,16 @@ TEST_F(DemoCommand, StatisticsStateWhatWasDrawn) {
   for (const char* stage : {"plan", "surfaces", "sky", "points", "resolve", "airlight"}) {
     EXPECT_GT(stats["ms_by_stage"][stage], 0) << stage;
   }
+}
+
+TEST_F(DemoCommand, RunwayVisualRangeIsDrawnAsItsVisibility) {
+  const auto visibility_of = [this](const std::string& options) {
+    EXPECT_EQ(run("room --size 8x8 -o a.png --stats s.json " + options).status, kDone) << read("err");
+    return nlohmann::json::parse(read("s.json"))["visibility_m"].get<double>();
+  };
+  EXPECT_EQ(visibility_of("--rvr 550"), visibility(fog_from_runway_visual_range(FogMode::exp, 550)));
+  EXPECT_EQ(visibility_of("--rvr 300 --lamp-cd 5000 --background-cd-m2 100 --fog exp2"),
+            visibility(fog_from_runway_visual_range(FogMode::exp2, 300, {5000, illuminance_threshold(100)})));
 }
 
 TEST_F(DemoCommand, SamplesAreThoseOfThePictureOrMissing) {
@@ -642,6 +653,15 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
     expect_usage("city --lights " + lights, "--lights = " + lights + ": must be an integer from 1 to 100000");
   }
   expect_usage("room --fog none --visibility 50", "--visibility cannot be given with --fog none: the air is clear");
+  expect_usage("room --fog none --rvr 550", "--rvr cannot be given with --fog none: the air is clear");
+  expect_usage("room --rvr 550 --visibility 50",
+               "--visibility cannot be given with --rvr: lamps and threshold give its meaning");
+  expect_usage("room --lamp-cd 5", "--lamp-cd cannot be given with the scene's visibility: only --rvr depends on them");
+  expect_usage("room --visibility 9 --threshold-lx 1e-4",
+               "--threshold-lx cannot be given with --visibility: only --rvr depends on them");
+  expect_usage("room --rvr 1001 --lamp-cd 100 --threshold-lx 1e-4",
+               "--rvr = 1001: must be at most sqrt(candela / illuminance_threshold), where the lamps are last seen in "
+               "clear air");
   expect_usage("list", "WHAT is required");
   expect_usage("list lamps", "WHAT = lamps: must be one of scenes|paths|lights");
   expect_usage("gallery -o ''", "--output = \"\": must not be empty");
@@ -712,7 +732,8 @@ TEST_F(DemoCommand, InputsAreNotOverwritten) {
 
 TEST_F(DemoCommand, MistypedSceneIsAnsweredWithTheNamesOfAllScenes) {
   EXPECT_ERROR(run("rooom"), kBadInput,
-               "rooom: must be a scene file or one of approach, city, cookies, flare, headlights, lighthouse, road, room, street, "
+               "rooom: must be a scene file or one of approach, city, cookies, flare, headlights, lighthouse, road, "
+               "room, street, "
                "tessellation; did you mean room?\n");
 }
 
@@ -1121,6 +1142,10 @@ TEST_F(DemoCommand, SettingsAreComparedOnAPageOfTheirOwn) {
   ASSERT_EQ(contrast.status, kDone) << contrast.err;
   EXPECT_EQ(contrast.out.find("from 1: largest 0,"), std::string::npos) << contrast.out;
 
+  const Outcome range = run(
+      "compare one.json -o out.d --size 32x18 --frames 1 --rvr 30 --with visibility=9 --with rvr=20 --with no-skip");
+  EXPECT_EQ(range.status, kDone) << range.err;
+
   const Outcome same = run("compare one.json -o out.d --size 32x18 --frames 1 --with no-skip");
   ASSERT_EQ(same.status, kDone) << same.err;
   EXPECT_NE(same.out.find("\n2: no-skip "), std::string::npos);
@@ -1151,7 +1176,7 @@ TEST_F(DemoCommand, WrongSettingsAreNamed) {
               std::string("litfog-demo: ") + option + " has no effect on any of these settings" + kSeeCompareHelp);
   };
   unused("--map-size", "--map-size 64 --with no-skip");
-  unused("--visibility", "--visibility 9 --with visibility=2 --with visibility=3");
+  unused("--visibility", "--visibility 9 --with visibility=2 --with rvr=3");
   unused("--contrast", "--contrast flightgear --fog none --with no-skip");
   unused("--shadow-lamps", "--shadow-lamps 2 --path vertex --with no-skip --with path=legacy");
   EXPECT_EQ(error("one.json --with time=3"),

@@ -135,6 +135,7 @@ class PicturesTest(unittest.TestCase):
             ({"size": (0, 5)}, ValueError, "size = 0x5: must be WIDTHxHEIGHT"),
             ({"camera": (1, 2)}, ValueError, "camera = 1,2: must be three numbers"),
             ({"fog": "none", "visibility": 9}, ValueError, "visibility cannot be given with fog none: the air is clear"),
+            ({"rvr": 2e6}, ValueError, "rvr = 2000000: must be at most sqrt(candela / illuminance_threshold)"),
             ({"time": 3}, ValueError, "time cannot be given with room: none of its lights turns or flashes"),
             ({"set": 7}, TypeError, "set: must be a dictionary"),
             ({"set": {"lights[0].zzz": 7}}, litfog.InputError, "--set"),
@@ -156,7 +157,7 @@ class PicturesTest(unittest.TestCase):
         (function,) = [node for node in stub.body if getattr(node, "name", "") == "render"]
         keywords = {keyword.arg for keyword in function.args.kwonlyargs}
         text = subprocess.run([demo_command, "--help"], check=True, capture_output=True, text=True).stdout
-        options = set(re.findall(r"^  (?:-\w,)?--([a-z-]+)", text, re.MULTILINE))
+        options = set(re.findall(r"^  (?:-\w,)?--([a-z0-9-]+)", text, re.MULTILINE))
         not_of_pictures = {"help", "version", "output", "frames", "reference", "heat-map", "stats", "exr", "sort-polygons"}
         self.assertLess(not_of_pictures, options)
         self.assertEqual(keywords, {option.replace("-", "_") for option in options - not_of_pictures})

@@ -19,6 +19,7 @@
 #include "command/command_test.h"
 #include "command/exit_status.h"
 #include "litfog/airlight.h"
+#include "litfog/runway_visual_range.h"
 #include "litfog/solve.h"
 
 namespace litfog::test {
@@ -142,6 +143,28 @@ TEST_F(SolveCommand, ContrastGivesVisibilityItsMeaning) {
   EXPECT_DOUBLE_EQ(density_of("--contrast 0.5"), -std::log(0.5) / 100);
 }
 
+TEST_F(SolveCommand, RunwayVisualRangeGivesTheFogAndItsMeteorologicalOpticalRange) {
+  const auto expect = [this](const std::string& options, FogMode mode, const RunwayLights& lights) {
+    SCOPED_TRACE(options);
+    const auto rows = nlohmann::json::parse(run("--linear 1 --rvr 550,50,inf,0 --format json " + options).out);
+    ASSERT_EQ(rows.size(), 4u);
+    for (std::size_t i = 0; i < 2; ++i) {
+      const Fog fog = fog_from_runway_visual_range(mode, i == 0 ? 550 : 50, lights);
+      EXPECT_EQ(rows[i]["density"].get<double>(), fog.density);
+      EXPECT_EQ(rows[i]["visibility_m"].get<double>(), visibility(fog));
+    }
+    EXPECT_EQ(rows[2]["visibility_m"], "inf");
+    EXPECT_EQ(rows[3]["visibility_m"], 0);
+  };
+  expect("", FogMode::exp, {});
+  expect("--lamp-cd 5000 --threshold-lx 1e-4 --fog exp2", FogMode::exp2, {5000, 1e-4});
+  expect("--background-cd-m2 1000", FogMode::exp, {10'000, illuminance_threshold(1000)});
+  const std::string by_visibility = run("--linear 1 --visibility 550").out;
+  EXPECT_EQ(run("--linear 1 --rvr 550 --lamp-cd 0").out, by_visibility);  // by markings alone
+  EXPECT_EQ(run("--linear 1 --rvr 2000 --threshold-lx 1e-3 --format csv").out.substr(0, 26),
+            "light,fog,visibility_m,den");
+}
+
 TEST_F(SolveCommand, SampledMethodIsHalesWith64SamplesUnlessTold) {
   const auto intensity_of = [this](const std::string& method) {
     return nlohmann::json::parse(
@@ -220,6 +243,13 @@ TEST_F(SolveCommand, WrongValuesAreUsageErrors) {
          "--contrast = haze: must be mor, koschmieder, flightgear or a number in (0, 1)");
   expect("--constant 1 --visibility 1 --contrast 0",
          "--contrast = 0: must be mor, koschmieder, flightgear or a number in (0, 1)");
+  expect("--constant 1 --rvr 550,-1", "--rvr = -1: must be a number >= 0 or inf");
+  expect("--constant 1 --rvr 1000,1001 --lamp-cd 100 --threshold-lx 1e-4",
+         "--rvr = 1001: must be at most sqrt(candela / illuminance_threshold), where the lamps are last seen in clear "
+         "air");
+  expect("--constant 1 --rvr 550 --lamp-cd -1", "--lamp-cd = -1: must be a finite number >= 0");
+  expect("--constant 1 --rvr 550 --threshold-lx 0", "--threshold-lx = 0: must be a finite number > 0");
+  expect("--constant 1 --rvr 550 --background-cd-m2 inf", "--background-cd-m2 = inf: must be a finite number >= 0");
   expect("--constant 1 --density 1 --fog exp3", "--fog = exp3: must be one of exp|exp2; did you mean exp?");
   expect("--constant 1 --density 1 --fog 1", "--fog = 1: must be one of exp|exp2");
   expect("--constant 1 --density 1 --format xml", "--format = xml: must be one of table|csv|json");
@@ -237,7 +267,15 @@ TEST_F(SolveCommand, WrongFormsAreUsageErrors) {
   };
   expect("", "a light must be given: --constant, --linear, --quadratic or --light or --csv");
   expect("--density 1", "a light must be given: --constant, --linear, --quadratic or --light or --csv");
-  expect("--constant 1", "a fog must be given: --visibility or --density");
+  expect("--constant 1", "a fog must be given: --visibility, --rvr or --density");
+  expect("--constant 1 --rvr 9 --visibility 1", "--rvr cannot be given with --visibility");
+  expect("--constant 1 --visibility 9 --lamp-cd 1", "--lamp-cd cannot be given with --visibility");
+  expect("--constant 1 --rvr 9 --density 1", "--rvr cannot be given with --density");
+  expect("--constant 1 --rvr 9 --contrast mor",
+         "--contrast cannot be given with --rvr: its visibility_m is always by mor");
+  expect("--constant 1 --rvr 9 --background-cd-m2 1 --threshold-lx 1",
+         "--background-cd-m2 cannot be given with --threshold-lx: it gives the threshold");
+  expect("--csv rows.csv --rvr 1", "--rvr cannot be given with --csv");
   expect("--constant 1 --density 1 --visibility 1", "--visibility cannot be given with --density");
   expect("--constant 1 --density 1 --contrast mor", "--contrast cannot be given with --density");
   expect("--constant 1 --light a.json --density 1", "--constant cannot be given with --light");

@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <string_view>
 
 #include "command/temporary_directory.h"
 #include "scene/file/scene_file.h"
+#include "window/visibility_preset.h"
 
 namespace litfog::test {
 using namespace window;
@@ -26,6 +28,33 @@ TEST(Session, BeginsWithTheScenesVisibilityAndNothingChanged) {
   EXPECT_EQ(session.settings[0].visibility, 120);
   EXPECT_TRUE(session.changes().empty());
   EXPECT_EQ(to_string(session.command(0, 320, 180)), "litfog-demo street --visibility 120 --size 320x180");
+}
+
+TEST(Session, RunwayVisualRangeBecomesAVisibility) {
+  drawing::DrawingOptions options;
+  options.runway_visual_range = 550;
+  const Session session({.scene = "street"}, street_scene(), options);
+  EXPECT_NEAR(session.settings[0].visibility.value_or(0), 155, 0.5);
+  EXPECT_NEAR(runway_visual_range(session.fog(0), options.runway_lights), 550, 1e-9);
+}
+
+TEST(Session, PresetsOfCategoriesAreRunwayVisualRangesByAnyContrast) {
+  const RunwayLights dim{.candela = 10, .illuminance_threshold = 1e-3};  // seen for 100 m in clear air
+  for (const VisibilityPreset& preset : kVisibilityPresets) {
+    const bool is_category = std::string_view(preset.name).starts_with("CAT");
+    EXPECT_EQ(preset.is_runway_visual_range, is_category);
+    for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
+      for (const double contrast : {kContrastMor, kContrastFlightgear}) {
+        const double metres = preset.visibility(mode, contrast).value();
+        if (is_category) {
+          EXPECT_NEAR(runway_visual_range(Fog::from_visibility(mode, metres, contrast)), preset.metres, 1e-9);
+        } else {
+          EXPECT_EQ(metres, preset.metres);
+        }
+      }
+    }
+    EXPECT_EQ(preset.visibility(FogMode::exp, 0.05, dim).has_value(), !is_category || preset.metres <= 100);
+  }
 }
 
 TEST(Session, ChangedLightTakesItsCopiesAlongAndIsReset) {

@@ -16,6 +16,7 @@
 
 #include "command/command_test.h"
 #include "command/exit_status.h"
+#include "litfog/runway_visual_range.h"
 
 namespace litfog::test {
 using namespace command;
@@ -148,7 +149,8 @@ TEST_F(WindowCommand, SteeredWindowShowsAndSavesThePictureThatItsCommandDraws) {
   steer("key ctrl+c");
   const std::string command = next_line();
   ASSERT_TRUE(saved.starts_with("yard-1.png: ")) << saved;
-  ASSERT_TRUE(command.starts_with("litfog-demo yard.json --visibility 300 --camera ")) << command;
+  const double cat_2 = visibility(fog_from_runway_visual_range(FogMode::exp, 300));
+  ASSERT_TRUE(command.starts_with(fmt::format("litfog-demo yard.json --visibility {} --camera ", cat_2))) << command;
   EXPECT_NE(command.find(" --set 'lights[0].attenuation.quadratic="), command.npos) << command;
   ASSERT_EQ(run(command.substr(command.find(' ')) + " -o headless.png").status, kDone) << read("err");
 

@@ -159,7 +159,8 @@ function showState() {
   exposure.show(state.ev);
   byId('contrast').value = state.contrast;
   byId('fogged').disabled = state.mode === 'none';
-  for (const button of byId('presets').children) {
+  for (const [i, button] of [...byId('presets').children].entries()) {
+    button.value = _page_preset_metres(i, kModes[state.mode], state.contrast);
     button.setAttribute('aria-pressed', Number(button.value) === state.visibility);
   }
   _page_set_fog(kModes[state.mode], state.visibility, state.contrast);
@@ -448,7 +449,6 @@ function begin() {
     button.type = 'button';
     button.textContent = text(_page_preset_name(i));
     button.title = text(_page_preset_meaning(i));
-    button.value = _page_preset_metres(i);
     button.addEventListener('click', () => set({visibility: Number(button.value)}));
     byId('presets').append(button);
   }
