@@ -15,31 +15,66 @@
 
 namespace litfog::render {
 
+namespace {
+
+constexpr double kSmallestAngle = 1e-4;  // radians: of the series, below which the peak of every lobe is flat
+
+/// Angle i of the series.
+double angle_of(double i, int angles) { return kSmallestAngle * std::pow(std::numbers::pi / kSmallestAngle, i / angles); }
+
+}  // namespace
+
 AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmosphere& atmosphere,
                              const glm::dvec3& eye)
     : attenuation_(light.light.attenuation),
       extent_(extent),
       fog_(scaled(atmosphere.fog, light.light.density_scale)),
       phase_(atmosphere.phase),
+      is_isotropic_(is_isotropic(phase_)),
       brightness_(airlight_unit(atmosphere) * largest_component(light.light.color)),
       eye_range_(glm::distance(eye, light.position)) {
   fog_.density = std::min(fog_.density, 1e6);  // as in light_airlight.glsl
   weight_ = weight(2 * eye_range_ / 3, eye_range_ / 3);
+  phase_integrals_[kAngles] = 0;
+  for (int i = kAngles; i-- > 0 && !is_isotropic_;) {
+    const double angle = angle_of(i, kAngles);
+    phase_integrals_[std::size_t(i)] = phase_integrals_[std::size_t(i) + 1] +
+                                       largest_phase(phase_, -1, std::cos(angle)) * (angle_of(i + 1, kAngles) - angle);
+  }
+}
+
+double AirlightBound::angle_at(double distance) const {
+  return distance < eye_range_ ? std::asin(distance / eye_range_) : std::numbers::pi / 2;
 }
 
 double AirlightBound::largest_phase_at(double distance) const {
-  const double sine = distance < eye_range_ ? distance / eye_range_ : 1;
-  return largest_phase(phase_, -1, std::sqrt(1 - sine * sine));
+  return largest_phase(phase_, -1, std::cos(angle_at(distance)));
+}
+
+double AirlightBound::phase_integral_at(double distance) const {
+  const double angle = angle_at(distance);
+  if (is_isotropic_) return std::numbers::pi - angle;
+  const double place = kAngles * std::log(angle / kSmallestAngle) / std::log(std::numbers::pi / kSmallestAngle);
+  if (!(place > 0)) return phase_integrals_[0] + largest_phase_at(0) * kSmallestAngle;
+  const double i = std::floor(place);
+  return phase_integrals_[std::size_t(i) + 1] + largest_phase_at(distance) * (angle_of(i + 1, kAngles) - angle);
+}
+
+double AirlightBound::most_at(double distance) const {
+  const auto [constant, linear, quadratic] = attenuation_;
+  const double isotropic = formulas::litfog_largest_airlight(
+      weight_, formulas::denominator(distance, constant, linear, quadratic), quadratic, 2 * extent_);
+  return brightness_ * std::min(largest_phase_at(distance) * isotropic,
+                                weight_ * phase_integral_at(distance) / (quadratic * distance));
 }
 
 double AirlightBound::reach(double budget) const {
   double high = reach_where_phase_is(largest_phase_at(0), budget);
-  if (is_isotropic(phase_)) return high;
-  // A distance is enough where it is not below the reach by the phase function there, which falls with the distance.
-  double low = reach_where_phase_is(largest_phase_at(eye_range_), budget);
-  for (int i = 0; i < 24 && high > 1.01 * low; ++i) {
-    const double middle = low > 0 ? std::sqrt(low * high) : high / 2;
-    (reach_where_phase_is(largest_phase_at(middle), budget) <= middle ? high : low) = middle;
+  if (is_isotropic_ || !(high > 0)) return high;
+  double low = 0;
+  for (int i = 0; i < 40 && high > 1.01 * low; ++i) {
+    const double middle = low > 0 ? std::sqrt(low * high) : high / 8;
+    (most_at(middle) <= budget ? high : low) = middle;
   }
   return high;
 }
@@ -69,7 +104,7 @@ double AirlightBound::end(double budget) const {
 }
 
 double AirlightBound::far_peak_reach(double budget) const {
-  if (is_isotropic(phase_) || extent_ >= eye_range_) return 0;
+  if (is_isotropic_ || extent_ >= eye_range_) return 0;
   const double beyond = beyond_extent(0);
   const double farthest = eye_range_ * std::sin(FarAirlightList::kPeakAngle);
   double low = 0, high = farthest;
@@ -95,8 +130,10 @@ double AirlightBound::width() const { return compute_extent(attenuation_, 0.5 / 
 double AirlightBound::flat_range() const { return 0.5 * std::min(width(), 0.5 / fog_.density); }
 
 double AirlightBound::k(double distance) const {
+  // h^-3, as the airlight of a narrow lobe falls, has 15 times the fourth derivative of h^-1.
+  const double bends = is_isotropic_ ? 1 : 15 * phase_integral_at(distance) / std::numbers::pi;
   const double slope = std::max(attenuation_.quadratic, attenuation_.linear / std::max(width(), 1e-3));
-  return largest_phase_at(distance) * brightness_ * weight_ * 4 / std::max(slope, 1e-30);
+  return bends * brightness_ * weight_ * 4 / std::max(slope, 1e-30);
 }
 
 double AirlightBound::weight(double seen, double lit) const {

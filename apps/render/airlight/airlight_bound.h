@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <glm/vec3.hpp>
 
 #include "litfog/atmosphere.h"
@@ -21,7 +22,11 @@ class AirlightBound {
   AirlightBound(const PlacedLight& light, double extent, const Atmosphere& atmosphere, const glm::dvec3& eye);
 
   /// Range from the light beyond which rays pass it with at most a budget of airlight from within its extent, 0 where
-  /// all do, by solving litfog_largest_airlight() for the denominator. Metres.
+  /// all do. Metres.
+  ///
+  /// Proof. In isotropic fog litfog_largest_airlight() is solved for the denominator. Else a ray that passes at a
+  /// distance h has at most that times the largest value of the phase function p from the angle asin(h / L) on, and at
+  /// most w / (Q h) times the integral of p over all those angles: a(r) <= 1 / (Q r^2), and r^2 is h ds / dtheta.
   double reach(double budget) const;
 
   /// Distance R from the eye beyond which the rest of no ray has more than a budget of airlight from within the extent
@@ -48,13 +53,16 @@ class AirlightBound {
   /// Metres from the light within which its airlight is flat: half of the falloff's width, or less in dense fog.
   double flat_range() const;
 
-  /// k, where the airlight at a distance h from the light is about k / h, near a distance. Metres.
+  /// k, where the airlight at a distance h from the light is about k / h, near a distance; of one that falls off by a
+  /// higher power, the k of which k / h bends as much. Metres.
   double k(double distance) const;
 
-  /// The largest value of the phase function for rays that pass the light at a distance, or behind the eye.
-  double largest_phase_at(double distance) const;
-
  private:
+  static constexpr int kAngles = 64;
+  double angle_at(double distance) const;  // smallest of scattering, for rays that pass the light at a distance
+  double largest_phase_at(double distance) const;
+  double phase_integral_at(double distance) const;  // upper bound of that over the angles of largest_phase_at()
+  double most_at(double distance) const;            // airlight of rays that pass the light at a distance
   double reach_where_phase_is(double phase, double budget) const;
   double weight(double seen, double lit) const;
   double width() const;  // metres: the falloff's
@@ -63,6 +71,8 @@ class AirlightBound {
   double extent_;
   Fog fog_;
   Phase phase_;
+  bool is_isotropic_;
+  std::array<double, kAngles + 1> phase_integrals_;  // from each angle of a geometric series to pi
   double brightness_;  // in isotropic fog
   double eye_range_;
   double weight_;  // of any ray

@@ -18,11 +18,11 @@ const gl::Program& AirlightPrograms::program(const Atmosphere& atmosphere, const
   const std::string constants = fmt::format(
       "#define LITFOG_FOG_MODE {}.0\n"
       "{}"
-      "{}"
+      "#define LITFOG_ISOTROPIC {}\n"
       "const float profile = {}.0;  // of the lights to draw\n"
       "const bool has_shafts = {};\n",
       int(atmosphere.fog.mode), lights.has_knee ? "" : "#define LITFOG_NO_KNEE\n",
-      is_isotropic ? "#define LITFOG_ISOTROPIC_FOG\n" : "", lights.profile, lights.has_shafts);
+      is_isotropic ? 1 : 0, lights.profile, lights.has_shafts);
   std::vector<gl::ShaderSource> files = scene_shaders(lights.profile == kCookieProfile, lights.has_shafts);
   files.push_back({"generated/airlight_constants.glsl", constants});
   return programs_.emplace(key, gl::Program(vertex_file_, fragment_file_, files)).first->second;

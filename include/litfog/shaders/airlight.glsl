@@ -140,15 +140,6 @@ LITFOG_REAL litfog_airlight_by_angles(LitfogAirlight air, LITFOG_REAL along) {
   return value * litfog_cone_at(air.profile, cosine, LITFOG_REAL(0.0), air.cone_y);
 }
 
-// Optical depths of fog that the phase function makes up for: the logarithm of its largest value over the angles up to
-// 90 degrees, and over those beyond.
-LITFOG_REAL litfog_airlight_forward_depths(LitfogAirlight air) {
-  return log(max(litfog_largest_phase(air.phase, LITFOG_REAL(0.0), LITFOG_REAL(1.0)), LITFOG_REAL(1.0)));
-}
-LITFOG_REAL litfog_airlight_backward_depths(LitfogAirlight air) {
-  return log(max(litfog_largest_phase(air.phase, LITFOG_REAL(1.0), LITFOG_REAL(2.0)), LITFOG_REAL(1.0)));
-}
-
 // The integrand at a distance along the ray from the closest approach.
 LITFOG_REAL litfog_airlight_integrand(LitfogAirlight air, LITFOG_REAL along) {
   LITFOG_REAL range = litfog_airlight_range(air, along);
@@ -396,12 +387,11 @@ LITFOG_REAL litfog_airlight_shaped_scale(LitfogAirlight air, bool beyond) {
 // distance over which all else does, and falling again where that change is too short to count. A side that begins far
 // from the closest approach has the fraction of it that is left. The numbers gave the smallest errors of those tried, over the lamps and phase
 // functions of airlight_test.cpp.
-LITFOG_REAL litfog_airlight_shaped_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL width,
-                                        LITFOG_REAL falloff) {
+LITFOG_REAL litfog_airlight_shaped_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL falloff) {
   LITFOG_REAL scale = min(min(falloff, side.farthest),
                           litfog_airlight_shaped_scale(air, side.direction > LITFOG_REAL(0.0)));
   LITFOG_REAL inside = log(max(scale, air.offset) / max(air.offset, LITFOG_REAL(1.0e-9) * scale));
-  LITFOG_REAL left = LITFOG_REAL(1.0) - asinh(side.nearest / width) / asinh(side.farthest / width);
+  LITFOG_REAL left = LITFOG_REAL(1.0) - side.nearest / max(scale, LITFOG_REAL(1.0e-30));
   LITFOG_REAL bend = min(LITFOG_REAL(0.4) * inside, LITFOG_REAL(0.25) * (LITFOG_REAL(17.0) - inside));
   return clamp(bend, LITFOG_REAL(0.0), LITFOG_REAL(2.0)) * max(left, LITFOG_REAL(0.0));
 }
@@ -415,7 +405,7 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.farthest = beyond ? to - anchor : anchor - from;
   side.rate = litfog_airlight_rate(air, side);
   // What brightens towards the far end makes up for some of the fog.
-  bool may_brighten = litfog_airlight_backward_depths(air) > LITFOG_REAL(0.0) || litfog_cone_is_cut_off(air.profile);
+  bool may_brighten = litfog_backward_depths(air.phase) > LITFOG_REAL(0.0) || litfog_cone_is_cut_off(air.profile);
   if (may_brighten && side.rate > LITFOG_REAL(0.0) && side.farthest > side.nearest) {
     LITFOG_REAL half_size = LITFOG_REAL(0.5) * (side.farthest - side.nearest);
     LITFOG_REAL end = side.anchor + side.direction * side.farthest;
@@ -437,7 +427,7 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
     side.size = asinh(end / side.width);
     side.part = sqrt(side.size);
     if (litfog_airlight_is_shaped(air)) {
-      side.bend = litfog_airlight_shaped_bend(air, side, width, falloff);
+      side.bend = litfog_airlight_shaped_bend(air, side, falloff);
       if (!litfog_has_cone(air.profile)) side.part = LITFOG_REAL(1.0);
     } else if (litfog_airlight_is_plain(air)) {
       side.bend = litfog_airlight_bend(air, side, end);
@@ -590,7 +580,7 @@ LITFOG_REAL litfog_airlight_edge(LitfogAirlight air, LITFOG_REAL low, LITFOG_REA
     nearest = max(nearest, litfog_airlight_cosine(air, along, litfog_airlight_range(air, along)));
   }
   // What the phase function may brighten beyond it counts, too.
-  LITFOG_REAL depths = max(litfog_airlight_forward_depths(air), litfog_airlight_backward_depths(air));
+  LITFOG_REAL depths = max(litfog_forward_depths(air.phase), litfog_backward_depths(air.phase));
   LITFOG_REAL falloff = air.cone_y / (LITFOG_REAL(1.0) + depths / LITFOG_REAL(11.5));
   return litfog_cone_end(air.profile, nearest, air.cone_x, falloff);
 }
@@ -637,7 +627,7 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
   bool is_plain = litfog_airlight_is_plain(air);
   // Fog that scatters backwards is brighter far behind the lamp. So is fog that scatters forwards before the lamp, which
   // lies within the reach but in exp fog with a clear lamp leg.
-  LITFOG_REAL depths = litfog_airlight_backward_depths(air);
+  LITFOG_REAL depths = litfog_backward_depths(air.phase);
   if (litfog_is_exp(air.mode)) {
     // With a clear leg, the fog around a far lamp counts by how much brighter the lamp makes it than that at the eye.
     LITFOG_REAL nearest = litfog_airlight_range(air, clamp(LITFOG_REAL(0.0), low, high));
@@ -645,7 +635,7 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
     LITFOG_REAL brighter = log(litfog_attenuation(nearest, air.constant, air.linear, air.quadratic) /
                                litfog_attenuation(first, air.constant, air.linear, air.quadratic));
     high = min(high, air.lamp_leg == LITFOG_REAL(0.0)
-                         ? low + (LITFOG_REAL(9.0) + brighter + max(litfog_airlight_forward_depths(air), depths)) * fog_scale
+                         ? low + (LITFOG_REAL(9.0) + brighter + max(litfog_forward_depths(air.phase), depths)) * fog_scale
                          : max(low, LITFOG_REAL(0.0)) + (LITFOG_REAL(4.5) + LITFOG_REAL(0.5) * depths) * fog_scale +
                                min(LITFOG_REAL(4.5) * fog_scale, air.offset));
   } else {
@@ -772,8 +762,11 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   }
   LITFOG_REAL nodes_left = air.nodes > LITFOG_REAL(0.0) ? air.nodes : litfog_airlight_nodes(air);
   LitfogAirlightCuts cuts;
-  cuts.are_made = !is_plain && nodes_left > LITFOG_REAL(8.0);
   cuts.are_exact = !litfog_has_cone(air.profile) && litfog_airlight_is_shaped(air);
+  cuts.are_made = !is_plain && nodes_left > LITFOG_REAL(8.0);
+#ifdef LITFOG_NO_KNEE
+  if (cuts.are_exact) cuts.are_made = false;  // nothing but the plateau is cut
+#endif
   cuts.least = cuts.are_exact ? LITFOG_REAL(3.0) : max(LITFOG_REAL(5.0), floor(LITFOG_REAL(0.2) * nodes_left));
   cuts.plateau = plateau;
   cuts.dark = stretch.dark;

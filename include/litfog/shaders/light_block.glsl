@@ -29,17 +29,11 @@ layout(std140) uniform LitfogLightBlock {
   LitfogInstance litfog_instances[LITFOG_MAX_LIGHTS];
 };
 
-// The phase function of the fog. A program for isotropic fog may define LITFOG_ISOTROPIC_FOG before the first include of
-// litfog; compilers then leave the others out.
 LitfogPhase litfog_fog_phase() {
-#ifdef LITFOG_ISOTROPIC_FOG
-  return litfog_isotropic;
-#else
   vec4 first = litfog_phase_lobes[0];
   vec4 second = litfog_phase_lobes[1];
   return LitfogPhase(LitfogPhaseLobe(first.x, first.y, first.z, first.w),
                      LitfogPhaseLobe(second.x, second.y, second.z, second.w));
-#endif
 }
 
 LitfogLight litfog_block_light(int light) {

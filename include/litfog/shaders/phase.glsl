@@ -6,6 +6,9 @@
 //
 // Angles of scattering are given by their versine, 1 - cosine: 0 is straight ahead, 2 straight back. A float's cosine
 // has too few digits for the peak of a narrow lobe.
+//
+// A program for isotropic fog, or for no such fog, may define LITFOG_ISOTROPIC, 1 or 0, before the first include of
+// litfog; compilers then leave the other out.
 
 #ifndef LITFOG_PHASE_GLSL
 #define LITFOG_PHASE_GLSL
@@ -44,8 +47,12 @@ LITFOG_FUNCTION LitfogPhaseLobe litfog_packed_lobe(LITFOG_REAL asymmetry, LITFOG
 }
 
 LITFOG_FUNCTION bool litfog_is_isotropic(LitfogPhase phase) {
+#ifdef LITFOG_ISOTROPIC
+  return LITFOG_ISOTROPIC == 1;
+#else
   return phase.first.slope == LITFOG_REAL(0.0) && phase.first.alpha == LITFOG_REAL(0.0) &&
          phase.second.slope == LITFOG_REAL(0.0) && phase.second.alpha == LITFOG_REAL(0.0);
+#endif
 }
 
 // Draine's function (litfog/phase.h). For g >= 0, 1 + g^2 - 2 g cosine is (1 - g)^2 + 2 g versine, in which no digits
@@ -68,6 +75,16 @@ LITFOG_FUNCTION LITFOG_REAL litfog_phase(LitfogPhase phase, LITFOG_REAL versine)
 LITFOG_FUNCTION LITFOG_REAL litfog_largest_phase(LitfogPhase phase, LITFOG_REAL lowest, LITFOG_REAL highest) {
   return max(litfog_phase_lobe(phase.first, lowest), litfog_phase_lobe(phase.first, highest)) +
          max(litfog_phase_lobe(phase.second, lowest), litfog_phase_lobe(phase.second, highest));
+}
+
+// Optical depths of fog that a phase function makes up for: at least the logarithm of its largest value over the angles
+// up to 90 degrees, and over those beyond, but for what alpha adds. (1 + |g|) / (1 - |g|)^2 is at most e^(10 |g|) for
+// |g| <= 0.99 and e^(14 |g|) for droplets.
+LITFOG_FUNCTION LITFOG_REAL litfog_forward_depths(LitfogPhase phase) {
+  return LITFOG_REAL(7.0) * max(max(phase.first.slope, phase.second.slope), LITFOG_REAL(0.0));
+}
+LITFOG_FUNCTION LITFOG_REAL litfog_backward_depths(LitfogPhase phase) {
+  return LITFOG_REAL(5.0) * max(max(-phase.first.slope, -phase.second.slope), LITFOG_REAL(0.0));
 }
 
 #undef LITFOG_FUNCTION
