@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+
+#include "litfog/fog.h"
+#include "litfog/value_error.h"
+
+namespace litfog {
+
+/// Density of the fog at a height.
+template <typename Real>
+struct BasicDensityKnot {
+  Real height = 0;   ///< metres, at most 16777216 in magnitude
+  Real density = 0;  ///< 1/m, finite, >= 0
+
+  friend bool operator==(const BasicDensityKnot&, const BasicDensityKnot&) = default;
+};
+using DensityKnot = BasicDensityKnot<double>;
+
+inline constexpr std::size_t kMaxDensityKnots = 8;
+
+/// Density of exp fog over height: linear between knots, constant below the first and above the last. Without knots it
+/// is 0. All that depends on its shape is asked of the functions below, and in the shaders of
+/// litfog/shaders/density_profile.glsl, whose text they share.
+template <typename Real>
+struct BasicDensityProfile {
+  std::array<BasicDensityKnot<Real>, kMaxDensityKnots> knots{};  ///< heights strictly rise; those beyond count: 0
+  std::size_t count = 0;                                         ///< knots in use, at most kMaxDensityKnots
+
+  friend bool operator==(const BasicDensityProfile&, const BasicDensityProfile&) = default;
+
+  std::span<const BasicDensityKnot<Real>> used() const { return std::span(knots).first(count); }
+};
+using DensityProfile = BasicDensityProfile<double>;
+using DensityProfileF = BasicDensityProfile<float>;
+
+/// The profile of some knots.
+///
+/// throws  std::invalid_argument naming field, value and rule
+DensityProfile make_density_profile(std::span<const DensityKnot> knots);
+
+/// What is wrong with a profile, or nothing. The functions below take those with which nothing is.
+std::optional<ValueError> find_error(const DensityProfile& profile);
+
+/// A layer of fog, as Weather Control of the Common Image Generator Interface states one. Within the layer the density
+/// is that of the visibility. The transition bands lie outside, below the base and above the top: in them the density
+/// falls linearly to 0. (CIGI ICD 3.3 has "transition bands above and/or below a cloud or fog layer" at its parameter
+/// Scud Frequency; that the fall is linear is litfog's choice.) Finite heights are at most 16777216 in magnitude.
+struct FogLayer {
+  double base = -std::numeric_limits<double>::infinity();  ///< metres; -infinity: it has no base
+  double top = std::numeric_limits<double>::infinity();    ///< metres, above the base; infinity: it has no top
+  double transition = 0;  ///< metres, finite, >= 0: height of each band; 0 is a step, made kSharpestTransition high
+  double visibility = std::numeric_limits<double>::infinity();  ///< metres, > 0; infinity is no fog
+
+  friend bool operator==(const FogLayer&, const FogLayer&) = default;
+};
+
+/// Height in metres of the ramp that stands for a lower transition band.
+inline constexpr double kSharpestTransition = 0.01;
+
+/// What is wrong with a layer, or nothing.
+std::optional<ValueError> find_error(const FogLayer& layer);
+
+/// The profile of layers, which add up where they overlap. A layer without base or top needs 2 knots, any other 4.
+///
+/// contrast  that of the layers' visibility, (0, 1)
+/// throws    std::invalid_argument naming field, value and rule; also where more than kMaxDensityKnots are needed
+DensityProfile make_density_profile(std::span<const FogLayer> layers, double contrast = kContrastMor);
+
+/// Density at a height, metres; any height, infinite ones too.
+double profile_density_at(const DensityProfile& profile, double height);
+
+/// Largest relative error of mean_density and optical_depth.
+inline constexpr double kMeanDensityMaxError = 1e-15;
+
+/// Mean density between two heights, in either order: that along any straight line from one to the other. At equal
+/// heights it is the density there, to which it is continuous.
+///
+/// height_a, height_b  metres, finite
+/// max error           kMeanDensityMaxError relative                               (density_profile_test.cpp)
+double mean_density(const DensityProfile& profile, double height_a, double height_b);
+
+/// Optical depth of a straight line between two heights.
+///
+/// length     metres, >= 0, finite
+/// max error  kMeanDensityMaxError relative, and a rounding                        (density_profile_test.cpp)
+double optical_depth(const DensityProfile& profile, double height_a, double height_b, double length);
+
+/// Optical depth of an endless ray.
+///
+/// height   where it begins, metres, finite
+/// slope    sine of its elevation, [-1, 1]
+/// returns  infinity where the ray ends in fog or stays in it
+double optical_depth_to_sky(const DensityProfile& profile, double height, double slope);
+
+/// Largest and smallest density between two heights, lowest <= highest, which may be infinite. For bounds.
+double largest_density(const DensityProfile& profile, double lowest = -std::numeric_limits<double>::infinity(),
+                       double highest = std::numeric_limits<double>::infinity());
+double smallest_density(const DensityProfile& profile, double lowest = -std::numeric_limits<double>::infinity(),
+                        double highest = std::numeric_limits<double>::infinity());
+
+/// The profile as a light class sees it: each density times the class's scale, which is finite and >= 0.
+DensityProfile scaled(const DensityProfile& profile, double density_scale);
+
+/// Largest density that the shaders' knots hold, 1/m. Times any height in metres it is finite in floats.
+inline constexpr float kMaxKnotDensity = 1e30f;
+
+/// The profile in floats, as shaders take it. Denser knots become kMaxKnotDensity. Knots whose heights round to one
+/// float stay, as a step.
+DensityProfileF to_floats(const DensityProfile& profile);
+
+}  // namespace litfog

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/density_profile.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "model/density_profile_text.h"
+#include "model/require.h"
+
+namespace litfog {
+namespace {
+
+constexpr const char* kHeightRule = "must be at most 16777216 in magnitude";
+
+struct KnotNames {
+  const char* height;
+  const char* density;
+};
+#define LITFOG_KNOT_NAMES(i) \
+  { "profile.knots[" #i "].height", "profile.knots[" #i "].density" }
+constexpr std::array<KnotNames, kMaxDensityKnots> kKnotNames{
+    {LITFOG_KNOT_NAMES(0), LITFOG_KNOT_NAMES(1), LITFOG_KNOT_NAMES(2), LITFOG_KNOT_NAMES(3), LITFOG_KNOT_NAMES(4),
+     LITFOG_KNOT_NAMES(5), LITFOG_KNOT_NAMES(6), LITFOG_KNOT_NAMES(7)}};
+#undef LITFOG_KNOT_NAMES
+
+/// A layer's ramps: the density is 0 up to `first`, full from `base` to `top`, 0 from `last` on.
+struct LayerRamps {
+  double first, base, top, last;
+  double density;
+
+  LayerRamps(const FogLayer& layer, double contrast)
+      : base(layer.base),
+        top(layer.top),
+        density(Fog::from_visibility(FogMode::exp, layer.visibility, contrast).density) {
+    const double band = std::max(layer.transition, kSharpestTransition);
+    first = base - band;
+    last = top + band;
+  }
+
+  double density_at(double height) const {
+    if (height <= first || height >= last) return 0;
+    if (height < base) return density * ((height - first) / (base - first));
+    if (height > top) return density * ((last - height) / (last - top));
+    return density;
+  }
+};
+
+[[noreturn]] void fail_knot_count(std::size_t count) { fail_count("profile.count", count, "must be at most 8"); }
+
+template <typename Choose>
+double extreme_density(const DensityProfile& profile, double lowest, double highest, const Choose& choose) {
+  double extreme = choose(profile_density_at(profile, lowest), profile_density_at(profile, highest));
+  for (const DensityKnot& knot : profile.used()) {
+    if (lowest < knot.height && knot.height < highest) extreme = choose(extreme, knot.density);
+  }
+  return extreme;
+}
+
+}  // namespace
+
+DensityProfile make_density_profile(std::span<const DensityKnot> knots) {
+  if (knots.size() > kMaxDensityKnots) fail_knot_count(knots.size());
+  DensityProfile profile{.count = knots.size()};
+  std::copy(knots.begin(), knots.end(), profile.knots.begin());
+  require(find_error(profile));
+  return profile;
+}
+
+std::optional<ValueError> find_error(const DensityProfile& profile) {
+  if (profile.count > kMaxDensityKnots) return ValueError{"profile.count", double(profile.count), "must be at most 8"};
+  for (std::size_t i = 0; i < profile.count; ++i) {
+    const auto [height, density] = profile.knots[i];
+    if (!is_within(height, -kMaxPosition, kMaxPosition)) return ValueError{kKnotNames[i].height, height, kHeightRule};
+    if (i > 0 && !(height > profile.knots[i - 1].height)) {
+      return ValueError{kKnotNames[i].height, height, "must be above the knot before"};
+    }
+    if (!is_finite_and_not_negative(density)) {
+      return ValueError{kKnotNames[i].density, density, "must be finite and >= 0"};
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<ValueError> find_error(const FogLayer& layer) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  if (layer.base != -kInfinity && !is_within(layer.base, -kMaxPosition, kMaxPosition)) {
+    return ValueError{"base", layer.base, kHeightRule};
+  }
+  if (layer.top != kInfinity && !is_within(layer.top, -kMaxPosition, kMaxPosition)) {
+    return ValueError{"top", layer.top, kHeightRule};
+  }
+  if (!(layer.top > layer.base)) return ValueError{"top", layer.top, "must be above the base"};
+  if (!is_finite_and_not_negative(layer.transition)) {
+    return ValueError{"transition", layer.transition, "must be finite and >= 0"};
+  }
+  if (!(layer.visibility > 0)) return ValueError{"visibility", layer.visibility, "must be > 0"};
+  return std::nullopt;
+}
+
+DensityProfile make_density_profile(std::span<const FogLayer> layers, double contrast) {
+  std::vector<LayerRamps> ramps;
+  std::vector<double> heights;
+  for (const FogLayer& layer : layers) {
+    require(find_error(layer));
+    const LayerRamps& added = ramps.emplace_back(layer, contrast);
+    if (added.density == 0) {
+      ramps.pop_back();
+      continue;
+    }
+    for (const double height : {added.first, added.base, added.top, added.last}) {
+      if (std::isfinite(height)) heights.push_back(height);
+    }
+  }
+  if (!ramps.empty() && heights.empty()) heights.push_back(0);  // no layer has a base or a top
+  std::sort(heights.begin(), heights.end());
+  heights.erase(std::unique(heights.begin(), heights.end()), heights.end());
+  std::vector<DensityKnot> knots;
+  for (const double height : heights) {
+    double density = 0;
+    for (const LayerRamps& layer : ramps) density += layer.density_at(height);
+    knots.push_back({height, density});
+  }
+  return make_density_profile(knots);
+}
+
+double profile_density_at(const DensityProfile& profile, double height) {
+  return DensityProfileText<double>{profile}.litfog_profile_density(height);
+}
+
+double mean_density(const DensityProfile& profile, double height_a, double height_b) {
+  return DensityProfileText<double>{profile}.litfog_mean_density(height_a, height_b);
+}
+
+double optical_depth(const DensityProfile& profile, double height_a, double height_b, double length) {
+  return mean_density(profile, height_a, height_b) * length;
+}
+
+double optical_depth_to_sky(const DensityProfile& profile, double height, double slope) {
+  return DensityProfileText<double>{profile}.litfog_profile_depth_to_sky(height, slope,
+                                                                         std::numeric_limits<double>::infinity());
+}
+
+double largest_density(const DensityProfile& profile, double lowest, double highest) {
+  return extreme_density(profile, lowest, highest, [](double a, double b) { return std::max(a, b); });
+}
+
+double smallest_density(const DensityProfile& profile, double lowest, double highest) {
+  return extreme_density(profile, lowest, highest, [](double a, double b) { return std::min(a, b); });
+}
+
+DensityProfile scaled(const DensityProfile& profile, double density_scale) {
+  DensityProfile result = profile;
+  for (DensityKnot& knot : result.knots) knot.density *= density_scale;
+  return result;
+}
+
+DensityProfileF to_floats(const DensityProfile& profile) {
+  DensityProfileF result{.count = profile.count};
+  for (std::size_t i = 0; i < profile.count; ++i) {
+    const auto [height, density] = profile.knots[i];
+    result.knots[i] = {float(height), float(std::min(density, double(kMaxKnotDensity)))};
+  }
+  return result;
+}
+
+}  // namespace litfog
