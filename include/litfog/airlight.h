@@ -101,9 +101,9 @@ double reference_airlight(const PlacedLight& light, const Atmosphere& atmosphere
 /// range, so that it is at most a(h), and 0 where h is not below the extent E. The lit stretch of a ray is a chord of
 /// the sphere of radius E, at most c = 2 sqrt(E^2 - h^2) long, and begins at s0 or later, s0 = max(0, R - E) from the
 /// eye, R being the light's range. Hence
-///   A <= p a(h) (f(s0) - f(s0 + c))              in exp fog, where -f' falls;
+///   A <= p a(h) f(s0) (1 - f(c))                 in exp fog, f(s0) in the thinnest of it and f(c) in the thickest;
 ///   A <= p a(h) min(f(s0), c d sqrt(2 / e))      in exp2 fog, where -f' is at most d sqrt(2 / e).
-/// With the lamp's leg fogged the integrand has the factor f(r) as well, and f(r) <= f(h).
+/// With the lamp's leg fogged the integrand has the factor f(r) as well, and f(r) <= f(h) in the thinnest fog.
 /// Rounding: h is lowered and the rest raised by 1e-12 of itself.
 /// The bounds of litfog/shaders/airlight_bound.glsl would be looser: they know neither f(s0) nor that fog ends.
 ///
@@ -121,6 +121,7 @@ double bound_airlight(const PlacedLight& light, const Atmosphere& atmosphere, co
 /// Proof. a and f fall, and so does their product, which is below the budget at all ranges beyond one where it is
 /// below. The range returned is the extent, or the upper end of a bisection, where the product is below the budget.
 ///
+/// fog      in layered air Atmosphere::thinnest_fog()
 /// budget   (0, 1): a fraction of the largest component of the light's colour
 /// returns  metres, [0, extent], at most 1e-9 of itself too long (airlight_test.cpp); infinite for constant attenuation
 ///          above the budget in clear air or with the lamp's leg clear

@@ -5,19 +5,23 @@
 #include <limits>
 #include <optional>
 
+#include "litfog/density_profile.h"
 #include "litfog/fog.h"
 #include "litfog/phase.h"
 #include "litfog/value_error.h"
 
 namespace litfog {
 
-/// All that the air is.
+/// All that the air is. Its density at a height is the fog's plus the profile's.
 struct Atmosphere {
   Fog fog = {};
   Phase phase = {};
   double albedo = 1;  ///< [0, 1]: the fraction of the light taken by the fog that it scatters
-  double top = std::numeric_limits<double>::infinity();  ///< metres: height at which rays to the sky leave the fog
-  glm::dvec3 ambient_fog_color{0.0};                     ///< linear RGB, finite, >= 0
+  /// metres: height at which rays to the sky leave the fog; taken as infinity where there is a profile, whose rays
+  /// leave the fog where its density is 0
+  double top = std::numeric_limits<double>::infinity();
+  glm::dvec3 ambient_fog_color{0.0};  ///< linear RGB, finite, >= 0
+  DensityProfile profile = {};        ///< layers, in exp fog only; light classes scale its density like the fog's
 
   friend bool operator==(const Atmosphere&, const Atmosphere&) = default;
 
@@ -26,6 +30,31 @@ struct Atmosphere {
     Atmosphere air = *this;
     air.fog = other;
     return air;
+  }
+
+  /// The same air with its heights measured from another origin. What is so moved beyond 16777216 m in magnitude no
+  /// longer passes find_error().
+  ///
+  /// height  of that origin, metres
+  Atmosphere seen_from(double height) const;
+
+  /// Uniform fog of the mean density between two heights, in either order: the fog factor and opacity of a straight
+  /// line from one to the other are those in it.
+  ///
+  /// height_a, height_b  metres, finite
+  Fog fog_between(double height_a, double height_b) const {
+    return {fog.mode, fog.density + mean_density(profile, height_a, height_b)};
+  }
+  /// Uniform fog of the density at a height, which may be infinite. FogUpdater takes that at the eye's height.
+  Fog fog_at(double height) const { return {fog.mode, fog.density + profile_density_at(profile, height)}; }
+  /// Uniform fog of the least and of the largest density at any height, for bounds.
+  Fog thinnest_fog() const { return {fog.mode, fog.density + smallest_density(profile)}; }
+  Fog thickest_fog() const { return {fog.mode, fog.density + largest_density(profile)}; }
+
+  /// How far rays to the sky are above a height when they leave the fog, metres; infinity: they do not leave it at a
+  /// top.
+  double top_above(double height) const {
+    return profile.count > 0 ? std::numeric_limits<double>::infinity() : top - height;
   }
 };
 

@@ -38,8 +38,9 @@ struct FogLightInstance {
 /// The fog: the first members of the uniform block.
 struct FogHeader {
   glm::vec4 fog;                         ///< x density (1/m), y FogMode, z number of instances in the block, w albedo
-  glm::vec4 ambient_fog_color;           ///< rgb linear, w 0
+  glm::vec4 ambient_fog_color;           ///< rgb linear, w number of knots
   std::array<glm::vec4, 2> phase_lobes;  ///< as litfog_packed_lobe() of litfog/shaders/phase.glsl makes them
+  std::array<glm::vec4, kMaxDensityKnots> density_knots;  ///< x height (m), y density (1/m), zw 0
 };
 
 inline constexpr std::size_t kMaxFogLights =
@@ -56,9 +57,9 @@ static_assert(offsetof(FogLightKind, cone_scale_intensity) == 16 && sizeof(FogLi
 static_assert(offsetof(FogLightInstance, axis_profile) == 16 && offsetof(FogLightInstance, color) == 32 &&
               sizeof(FogLightInstance) == 48);
 static_assert(offsetof(FogHeader, ambient_fog_color) == 16 && offsetof(FogHeader, phase_lobes) == 32 &&
-              sizeof(FogHeader) == 64);
-static_assert(offsetof(FogLightBlock, kinds) == 64 && offsetof(FogLightBlock, instances) == 64 + kMaxFogLights * 32 &&
-              sizeof(FogLightBlock) == 64 + kMaxFogLights * 80 && sizeof(FogLightBlock) <= 16384);
+              offsetof(FogHeader, density_knots) == 64 && sizeof(FogHeader) == 192);
+static_assert(offsetof(FogLightBlock, kinds) == 192 && offsetof(FogLightBlock, instances) == 192 + kMaxFogLights * 32 &&
+              sizeof(FogLightBlock) == 192 + kMaxFogLights * 80 && sizeof(FogLightBlock) <= 16384);
 
 /// The kind of a light. The intensity is stored for carried lights only: Hales's term presumes a light near the eye.
 ///

@@ -102,7 +102,8 @@ class FogUpdater {
   void remove(FogLightHandle handle);
 
   /// Brings the tables up to date with the fog (clear air before the first call) and with all changes of lights since
-  /// the last call. Allocates nothing. Takes time for each kind and each changed light (`litfog-bench update`).
+  /// the last call. In layered air that is the fog at the eye's height, Atmosphere::fog_at(). Allocates nothing. Takes
+  /// time for each kind and each changed light (`litfog-bench update`).
   ///
   /// returns  ranges that cover every entry that has changed or is new since the last call; valid until the next call
   ///          that is not const

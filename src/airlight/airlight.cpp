@@ -35,7 +35,11 @@ struct SeenLight {
         class_fog(unchecked::scaled(atmosphere.fog, placed.light.density_scale)),
         phase(atmosphere.phase),
         lamp_leg(leg),
-        extent(unchecked::compute_extent(placed.light.attenuation, placed.light.threshold)) {}
+        extent(unchecked::compute_extent(placed.light.attenuation, placed.light.threshold)) {
+    if (atmosphere.profile.count > 0) {
+      require(ValueError{"profile.count", double(atmosphere.profile.count), "must be 0: airlight is of uniform fog"});
+    }
+  }
 
   /// Whether no product of the fast form leaves double's range.
   bool is_ordinary() const {
@@ -139,8 +143,9 @@ double bound_airlight(const PlacedLight& light, const Atmosphere& atmosphere, co
     require(ValueError{"half_angle", half_angle, "must be in [0, pi]"});
   }
   const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold) * (1 + kMargin);
-  const Fog class_fog = unchecked::scaled(atmosphere.fog, light.light.density_scale);
-  const double density = class_fog.density;
+  const Fog thinnest = unchecked::scaled(atmosphere.thinnest_fog(), light.light.density_scale);
+  const Fog thickest = unchecked::scaled(atmosphere.thickest_fog(), light.light.density_scale);
+  const double density = thickest.density;
   if (density == 0 || extent == 0) return 0;
 
   const glm::dvec3 to_light = light.position - eye;
@@ -153,10 +158,10 @@ double bound_airlight(const PlacedLight& light, const Atmosphere& atmosphere, co
 
   const double start = std::max(range * (1 - kMargin) - extent, 0.0);
   const double chord = 2 * std::sqrt(extent - closest) * std::sqrt(extent + closest);
-  const double opacity = class_fog.mode == FogMode::exp
-                             ? fog_factor_at(class_fog, start) * opacity_at(class_fog, chord)
-                             : std::min(fog_factor_at(class_fog, start), chord * density * largest_slope);
-  const double lit = lamp_leg == LampLeg::fogged ? fog_factor_at(class_fog, closest) : 1;
+  const double opacity = thickest.mode == FogMode::exp
+                             ? fog_factor_at(thinnest, start) * opacity_at(thickest, chord)
+                             : std::min(fog_factor_at(thickest, start), chord * density * largest_slope);
+  const double lit = lamp_leg == LampLeg::fogged ? fog_factor_at(thinnest, closest) : 1;
   // One subnormal more: the products may be rounded down to 0.
   return largest_phase(atmosphere.phase) * attenuation_at(light.light.attenuation, closest) * opacity * lit *
              (1 + 8 * kMargin) +

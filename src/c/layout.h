@@ -11,6 +11,7 @@
 #include "litfog/batch.h"
 #include "litfog/c/litfog.h"
 #include "litfog/cone.h"
+#include "litfog/density_profile.h"
 #include "litfog/fog.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/light.h"
@@ -77,12 +78,27 @@ LITFOG_MEMBER(litfog_phase, Phase, first);
 LITFOG_MEMBER(litfog_phase, Phase, second);
 LITFOG_MEMBER(litfog_phase, Phase, weight);
 
+LITFOG_COUNTERPART(litfog_density_knot, DensityKnot);
+LITFOG_MEMBER(litfog_density_knot, DensityKnot, height);
+LITFOG_MEMBER(litfog_density_knot, DensityKnot, density);
+
+LITFOG_COUNTERPART(litfog_density_profile, DensityProfile);
+LITFOG_MEMBER(litfog_density_profile, DensityProfile, knots);
+LITFOG_MEMBER(litfog_density_profile, DensityProfile, count);
+
+LITFOG_COUNTERPART(litfog_fog_layer, FogLayer);
+LITFOG_MEMBER(litfog_fog_layer, FogLayer, base);
+LITFOG_MEMBER(litfog_fog_layer, FogLayer, top);
+LITFOG_MEMBER(litfog_fog_layer, FogLayer, transition);
+LITFOG_MEMBER(litfog_fog_layer, FogLayer, visibility);
+
 LITFOG_COUNTERPART(litfog_atmosphere, Atmosphere);
 LITFOG_MEMBER(litfog_atmosphere, Atmosphere, fog);
 LITFOG_MEMBER(litfog_atmosphere, Atmosphere, phase);
 LITFOG_MEMBER(litfog_atmosphere, Atmosphere, albedo);
 LITFOG_MEMBER(litfog_atmosphere, Atmosphere, top);
 LITFOG_MEMBER(litfog_atmosphere, Atmosphere, ambient_fog_color);
+LITFOG_MEMBER(litfog_atmosphere, Atmosphere, profile);
 
 LITFOG_COUNTERPART(litfog_eye_ray, EyeRay);
 LITFOG_MEMBER(litfog_eye_ray, EyeRay, origin);
@@ -102,6 +118,7 @@ LITFOG_COUNTERPART(litfog_fog_header, FogHeader);
 LITFOG_MEMBER(litfog_fog_header, FogHeader, fog);
 LITFOG_MEMBER(litfog_fog_header, FogHeader, ambient_fog_color);
 LITFOG_MEMBER(litfog_fog_header, FogHeader, phase_lobes);
+LITFOG_MEMBER(litfog_fog_header, FogHeader, density_knots);
 
 LITFOG_COUNTERPART(litfog_fog_light_block, FogLightBlock);
 LITFOG_MEMBER(litfog_fog_light_block, FogLightBlock, header);
@@ -171,7 +188,7 @@ static_assert(LITFOG_CONTRAST_MOR == kContrastMor && LITFOG_CONTRAST_KOSCHMIEDER
               LITFOG_CONTRAST_FLIGHTGEAR == kContrastFlightgear && LITFOG_DEFAULT_THRESHOLD == kDefaultThreshold &&
               LITFOG_MAX_POSITION == kMaxPosition && LITFOG_DIRECTION_TOLERANCE == kDirectionTolerance &&
               LITFOG_MAX_FLASHES == kMaxFlashes && LITFOG_MAX_FOG_LIGHTS == kMaxFogLights &&
-              LITFOG_DEFAULT_SKIP_BUDGET_255 == kDefaultSkipBudget255);
+              LITFOG_MAX_DENSITY_KNOTS == kMaxDensityKnots && LITFOG_DEFAULT_SKIP_BUDGET_255 == kDefaultSkipBudget255);
 
 /// A C struct as its C++ counterpart. Its enumerators are not checked here (c/convert.h).
 template <typename C>

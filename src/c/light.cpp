@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/light.h"
 
+#include <cmath>
+#include <utility>
+
 #include "c/call.h"
 #include "c/convert.h"
 #include "c/layout.h"
@@ -57,6 +60,26 @@ litfog_status litfog_illuminance_threshold(double background, double* lux) {
   return c::call([&] {
     require_background(background);
     c::at(lux, "lux") = illuminance_threshold(background);
+  });
+}
+
+litfog_status litfog_density_profile_from_layers(const litfog_fog_layer* layers, size_t count, double contrast,
+                                                 litfog_density_profile* profile) {
+  return c::call([&] {
+    const auto stated = c::view_as_cpp<litfog_fog_layer>(c::array(layers, count, "layers"));
+    c::at(profile, "profile") = c::to_c<litfog_density_profile>(make_density_profile(stated, contrast));
+  });
+}
+
+litfog_status litfog_fog_between(const litfog_atmosphere* atmosphere, double height_a, double height_b,
+                                 litfog_fog* fog) {
+  return c::call([&] {
+    const Atmosphere air = c::atmosphere(atmosphere);
+    require(find_error(air));
+    for (const auto& [name, height] : {std::pair("height_a", height_a), std::pair("height_b", height_b)}) {
+      if (!std::isfinite(height)) require(ValueError{name, height, "must be finite"});
+    }
+    c::at(fog, "fog") = c::to_c<litfog_fog>(air.fog_between(height_a, height_b));
   });
 }
 

@@ -64,6 +64,8 @@ void check_fog_light_layout(const Program& program) {
   };
   check("litfog_fog", offsetof(FogHeader, fog));
   check("litfog_ambient_fog_color", offsetof(FogHeader, ambient_fog_color));
+  check("litfog_phase_lobes[0]", offsetof(FogHeader, phase_lobes));
+  check("litfog_density_knots[0]", offsetof(FogHeader, density_knots));
   for (const std::size_t i : {std::size_t{0}, std::size_t{1}, kMaxFogLights - 1}) {
     const std::string kind = "litfog_kinds[" + std::to_string(i) + "].";
     const std::size_t kind_base = offsetof(FogLightBlock, kinds) + i * sizeof(FogLightKind);

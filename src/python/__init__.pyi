@@ -98,12 +98,28 @@ class Phase:
     @staticmethod
     def droplets(micrometres: float) -> Phase: ...
 
+class FogLayer:
+    base: float
+    top: float
+    transition: float
+    visibility: float
+    def __init__(
+        self, base: float = ..., top: float = ..., transition: float = 0.0, visibility: float = ...
+    ) -> None: ...
+
+class DensityProfile:
+    knots: Sequence[tuple[float, float]]
+    def __init__(self, knots: Sequence[tuple[float, float]] = ...) -> None: ...
+    @staticmethod
+    def from_layers(layers: Sequence[FogLayer], contrast: float = ...) -> DensityProfile: ...
+
 class Atmosphere:
     fog: Fog
     phase: Phase
     albedo: float
     top: float
     ambient_fog_color: Sequence[float]
+    profile: DensityProfile
     def __init__(
         self,
         fog: Fog = ...,
@@ -111,7 +127,9 @@ class Atmosphere:
         albedo: float = 1.0,
         top: float = ...,
         ambient_fog_color: Sequence[float] = ...,
+        profile: DensityProfile = ...,
     ) -> None: ...
+    def fog_between(self, height_a: float, height_b: float) -> Fog: ...
 
 class Attenuation:
     constant: float

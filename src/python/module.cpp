@@ -440,7 +440,9 @@ void bind_lights(py::module_& m) {
           "that of their contrast: at night, 550 m is a visibility of 155 m. ValueError with field, value and rule.");
   make_record(fog, {"mode", "density"});
   py::class_<PhaseLobe> lobe(m, "PhaseLobe", "A lobe of a phase function, Draine's.");
-  lobe.def(py::init([](double asymmetry, double alpha) { return PhaseLobe{asymmetry, alpha}; }),
+  lobe.def(py::init([](double asymmetry, double alpha) {
+             return PhaseLobe{asymmetry, alpha};
+           }),
            py::arg("asymmetry") = 0., py::arg("alpha") = 0.)
       .def_readwrite("asymmetry", &PhaseLobe::asymmetry, "g, (-1, 1); > 0 forward")
       .def_readwrite("alpha", &PhaseLobe::alpha, "[0, 1e6]; 0 is Henyey and Greenstein's function");
@@ -458,20 +460,69 @@ void bind_lights(py::module_& m) {
       .def_static("droplets", &Phase::droplets, py::arg("micrometres"),
                   "Fog of water droplets of a diameter, 5 to 50. ValueError with field, value and rule.");
   make_record(phase, {"first", "second", "weight"});
-  py::class_<Atmosphere> atmosphere(m, "Atmosphere", "All that the air is.");
+  py::class_<FogLayer> layer(m, "FogLayer",
+                             "A layer of fog, metres. Transition bands lie outside it, in which the density falls\n"
+                             "linearly to 0.");
+  layer
+      .def(py::init([](double base, double top, double transition, double visibility) {
+             return FogLayer{base, top, transition, visibility};
+           }),
+           py::arg("base") = FogLayer{}.base, py::arg("top") = FogLayer{}.top, py::arg("transition") = 0.,
+           py::arg("visibility") = FogLayer{}.visibility)
+      .def_readwrite("base", &FogLayer::base, "metres; -infinity: it has no base")
+      .def_readwrite("top", &FogLayer::top, "metres, above the base; infinity: it has no top")
+      .def_readwrite("transition", &FogLayer::transition, "metres, finite, >= 0: height of each band")
+      .def_readwrite("visibility", &FogLayer::visibility, "metres, > 0; infinity is no fog");
+  make_record(layer, {"base", "top", "transition", "visibility"});
+  using Knots = std::vector<std::pair<double, double>>;
+  const auto profile_of = [](const Knots& pairs) {
+    std::vector<DensityKnot> knots;
+    for (const auto& [height, density] : pairs) knots.push_back({height, density});
+    return make_density_profile(knots);
+  };
+  const auto knots_of = [](const DensityProfile& profile) {
+    Knots pairs;
+    for (const auto& [height, density] : profile.used()) pairs.emplace_back(height, density);
+    return pairs;
+  };
+  py::class_<DensityProfile> profile(m, "DensityProfile",
+                                     "Density of exp fog over height: linear between up to 8 knots, constant beyond.");
+  profile.def(py::init(profile_of), py::arg("knots") = Knots{})
+      .def_property(
+          "knots", knots_of, [profile_of](DensityProfile& changed, const Knots& pairs) { changed = profile_of(pairs); },
+          "(height in metres, density in 1/m) of each; heights rise")
+      .def_static(
+          "from_layers",
+          [](const std::vector<FogLayer>& layers, double contrast) { return make_density_profile(layers, contrast); },
+          py::arg("layers"), py::arg("contrast") = kContrastMor,
+          "The profile of layers, which add up where they overlap. ValueError with field, value and rule.");
+  make_record(profile, {"knots"});
+  py::class_<Atmosphere> atmosphere(m, "Atmosphere",
+                                    "All that the air is. Its density at a height is the fog's plus the profile's.");
   atmosphere
       .def(py::init([](const Fog& air_fog, const Phase& air_phase, double albedo, double top,
-                       const glm::dvec3& ambient_fog_color) {
-             return Atmosphere{air_fog, air_phase, albedo, top, ambient_fog_color};
+                       const glm::dvec3& ambient_fog_color, const DensityProfile& air_profile) {
+             return Atmosphere{air_fog, air_phase, albedo, top, ambient_fog_color, air_profile};
            }),
            py::arg("fog") = Fog{}, py::arg("phase") = Phase{}, py::arg("albedo") = Atmosphere{}.albedo,
-           py::arg("top") = Atmosphere{}.top, py::arg("ambient_fog_color") = glm::dvec3(0))
+           py::arg("top") = Atmosphere{}.top, py::arg("ambient_fog_color") = glm::dvec3(0),
+           py::arg("profile") = DensityProfile{})
       .def_readwrite("fog", &Atmosphere::fog, "Fog")
       .def_readwrite("phase", &Atmosphere::phase, "Phase")
-      .def_readwrite("albedo", &Atmosphere::albedo, "[0, 1]: the fraction of the light taken by the fog that it scatters")
+      .def_readwrite("albedo", &Atmosphere::albedo,
+                     "[0, 1]: the fraction of the light taken by the fog that it scatters")
       .def_readwrite("top", &Atmosphere::top, "metres: height at which rays to the sky leave the fog")
-      .def_readwrite("ambient_fog_color", &Atmosphere::ambient_fog_color, "linear RGB, finite, >= 0");
-  make_record(atmosphere, {"fog", "phase", "albedo", "top", "ambient_fog_color"});
+      .def_readwrite("ambient_fog_color", &Atmosphere::ambient_fog_color, "linear RGB, finite, >= 0")
+      .def_readwrite("profile", &Atmosphere::profile, "DensityProfile: layers, in exp fog only")
+      .def(
+          "fog_between",
+          [](const Atmosphere& air, double height_a, double height_b) {
+            return require_checked(air).fog_between(height_a, height_b);
+          },
+          py::arg("height_a"), py::arg("height_b"),
+          "Uniform fog of the mean density between two heights: the fog factor of a straight line from one to the\n"
+          "other is that in it. At equal heights it is the fog there.");
+  make_record(atmosphere, {"fog", "phase", "albedo", "top", "ambient_fog_color", "profile"});
   m.def(
       "density_from_visibility",
       [](FogMode mode, const py::object& metres, double contrast) {

@@ -58,9 +58,16 @@ FogHeader pack_fog_header(const Atmosphere& atmosphere, std::size_t instances) {
   const auto floats = [](const phase_text::PackedLobe<double>& lobe) {
     return glm::vec4(lobe.base, lobe.slope, lobe.scale, lobe.alpha);
   };
-  return {.fog = {finite_float(fog.density), float(fog.mode), float(instances), float(atmosphere.albedo)},
-          .ambient_fog_color = glm::vec4(finite_floats(atmosphere.ambient_fog_color), 0.0f),
-          .phase_lobes = {floats(phase.first), floats(phase.second)}};
+  FogHeader header{
+      .fog = {finite_float(fog.density), float(fog.mode), float(instances), float(atmosphere.albedo)},
+      .ambient_fog_color = glm::vec4(finite_floats(atmosphere.ambient_fog_color), float(atmosphere.profile.count)),
+      .phase_lobes = {floats(phase.first), floats(phase.second)},
+      .density_knots = {}};
+  const DensityProfileF profile = to_floats(atmosphere.profile);
+  for (std::size_t i = 0; i < profile.count; ++i) {
+    header.density_knots[i] = {profile.knots[i].height, profile.knots[i].density, 0.0f, 0.0f};
+  }
+  return header;
 }
 
 FogLightBlock pack_fog_light_block(const Atmosphere& atmosphere, std::span<const PlacedLight> lights,

@@ -74,7 +74,7 @@ class CFace : public testing::Test {
  protected:
   Random random_{15};
   const litfog_fog fog_{LITFOG_FOG_EXP2, 0.002};
-  const litfog_atmosphere air_{fog_, {{0, 0}, {0, 0}, 1}, 1, kInfinity, {0, 0, 0}};
+  const litfog_atmosphere air_{fog_, {{0, 0}, {0, 0}, 1}, 1, kInfinity, {0, 0, 0}, {}};
   const Fog cpp_fog_{FogMode::exp2, 0.002};
 };
 
@@ -128,8 +128,34 @@ TEST_F(CFace, FlashesAreThoseOfCpp) {
   }
 }
 
+TEST_F(CFace, LayersAreThoseOfCpp) {
+  const litfog_fog_layer layers[] = {{-kInfinity, 100, 20, 300}, {200, 300, 50, 1000}};
+  const FogLayer cpp_layers[] = {{-kInfinity, 100, 20, 300}, {200, 300, 50, 1000}};
+  litfog_atmosphere air{{LITFOG_FOG_EXP, 0.001}, {{0, 0}, {0, 0}, 1}, 1, kInfinity, {0, 0, 0}, {}};
+  ASSERT_EQ(litfog_density_profile_from_layers(layers, 2, LITFOG_CONTRAST_MOR, &air.profile), LITFOG_OK)
+      << litfog_last_error();
+  const Atmosphere same{.fog = {FogMode::exp, 0.001}, .profile = make_density_profile(cpp_layers)};
+  EXPECT_EQ(std::memcmp(&air.profile, &same.profile, sizeof air.profile), 0);
+  litfog_fog between;
+  ASSERT_EQ(litfog_fog_between(&air, 50, 250, &between), LITFOG_OK);
+  EXPECT_EQ(between.density, same.fog_between(50, 250).density);
+  litfog_fog_header header;
+  ASSERT_EQ(litfog_pack_fog_header(&air, 3, &header), LITFOG_OK);
+  const FogHeader expected = pack_fog_header(same, 3);
+  EXPECT_EQ(std::memcmp(&header, &expected, sizeof header), 0);
+
+  EXPECT_EQ(litfog_fog_between(&air, 50, kInfinity, &between), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "height_b = inf: must be finite");
+  const litfog_fog_layer wrong{10, 5, 0, 100};
+  EXPECT_EQ(litfog_density_profile_from_layers(&wrong, 1, LITFOG_CONTRAST_MOR, &air.profile), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "top = 5: must be above the base");
+  air.fog.mode = LITFOG_FOG_EXP2;
+  EXPECT_EQ(litfog_check_atmosphere(&air), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "profile.count = 6: must be 0 in exp2 fog");
+}
+
 TEST_F(CFace, AirlightsAreThoseOfCpp) {
-  const litfog_atmosphere air{fog_, {{0.3, 0.5}, {-0.2, 0}, 0.6}, 0.9, kInfinity, {0, 0, 0}};
+  const litfog_atmosphere air{fog_, {{0.3, 0.5}, {-0.2, 0}, 0.6}, 0.9, kInfinity, {0, 0, 0}, {}};
   const litfog_eye_ray rays[] = {{{0, 0, 0}, {0, 0, -1}, kInfinity}, {{1, 2, 3}, {0, 1, 0}, 40}};
   for (int i = 0; i < 50; ++i) {
     const Twins twins = random_twins(random_);
@@ -261,7 +287,7 @@ TEST_F(CFace, PackedBlockIsThatOfCpp) {
     c_lights.push_back(twins.c);
     solutions.push_back(solve_fog_intensity(twins.cpp.light, cpp_fog_));
   }
-  const litfog_atmosphere air{fog_, {{0, 0}, {0, 0}, 1}, 1, kInfinity, {0.1, 0.2, 0.3}};
+  const litfog_atmosphere air{fog_, {{0, 0}, {0, 0}, 1}, 1, kInfinity, {0.1, 0.2, 0.3}, {}};
   litfog_fog_light_block block;
   ASSERT_EQ(litfog_pack_fog_light_block(&air, c_lights.data(), c_lights.size(), &block), LITFOG_OK);
   const FogLightBlock expected =
@@ -558,7 +584,8 @@ TEST_F(CFace, AnyNumbersAreTakenOrRefused) {
     const litfog_fog fog{random_.below(random_.chance(0.1) ? 4 : 2), number()};
     litfog_eye_ray ray{{0, 0, 0}, {0, 0, -1}, number()};
     if (random_.chance(0.1)) fill(ray.direction);
-    const litfog_atmosphere air{fog, {{random_.uniform(-1.1, 1.1), 0}, {0, 0}, random_.uniform(0, 1)}, 1, number(), {number(), 0, 0}};
+    const litfog_atmosphere air{
+        fog, {{random_.uniform(-1.1, 1.1), 0}, {0, 0}, random_.uniform(0, 1)}, 1, number(), {number(), 0, 0}, {}};
 
     const bool is_light = litfog_check_light(&light.light) == LITFOG_OK;
     const bool is_placed = litfog_check_placed_light(&light) == LITFOG_OK;

@@ -45,7 +45,7 @@ static void solve(void) {
   EXPECT(sampled.intensity <= exact.intensity && sampled.intensity > exact.intensity - 0.024);
 
   double axial, ahead, reach;
-  const litfog_atmosphere air = {fog, {{0, 0}, {0, 0}, 1}, 1, INFINITY, {0, 0, 0}};
+  const litfog_atmosphere air = {fog, {{0, 0}, {0, 0}, 1}, 1, INFINITY, {0, 0, 0}, {{{0, 0}}, 0}};
   litfog_eye_ray ray = {{0, 0, 0}, {0, 0, -1}, INFINITY};
   EXPECT_OK(litfog_check_atmosphere(&air));
   EXPECT_OK(litfog_axial_airlight(&light.light, &fog, &axial));
@@ -117,7 +117,7 @@ static void update(void) {
 static void pack(void) {
   const litfog_placed_light light = landing_lamp();
   const litfog_fog fog = fog_of(1500);
-  const litfog_atmosphere air = {fog, {{0, 0}, {0, 0}, 1}, 1, INFINITY, {0.1, 0.2, 0.3}};
+  const litfog_atmosphere air = {fog, {{0, 0}, {0, 0}, 1}, 1, INFINITY, {0.1, 0.2, 0.3}, {{{0, 0}}, 0}};
   litfog_fog_header header;
   EXPECT_OK(litfog_pack_fog_header(&air, 7, &header));
   EXPECT(header.fog[0] == (float)fog.density && header.fog[2] == 7 && header.ambient_fog_color[1] == 0.2f);

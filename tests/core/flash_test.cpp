@@ -15,7 +15,7 @@ namespace {
 /// Two flashes that touch, and one that ends with the period.
 const Flash kTriple{2, 3, {{{0, 0.25, 5}, {0.25, 0.25}, {1.5, 0.5, 0.5}}}};
 
-std::string error_of(const Flash& flash) {
+std::string rule_broken_by(const Flash& flash) {
   const auto error = find_error(flash);
   return error ? to_string(*error) : "accepted";
 }
@@ -24,7 +24,7 @@ std::string error_of(const Flash& flash) {
 std::string error_with(double SingleFlash::*member, double value) {
   Flash flash = kTriple;
   flash.flashes[1].*member = value;
-  return error_of(flash);
+  return rule_broken_by(flash);
 }
 
 TEST(Flash, LampIsOnFromItsStartUntilItsEndInEachPeriod) {
@@ -58,27 +58,27 @@ TEST(Flash, TimeWithinThePeriodIsExactUpToTheLargestTime) {
 TEST(Flash, SteadyLampKeepsItsColour) {
   EXPECT_EQ(flash_at({}, 7), 1);
   EXPECT_EQ(largest_flash({}), 1);
-  EXPECT_EQ(error_of({.period = -1}), "accepted");
+  EXPECT_EQ(rule_broken_by({.period = -1}), "accepted");
   EXPECT_EQ(largest_flash(kTriple), 5);
 }
 
 TEST(Flash, EndThatRoundsBeyondTheNextStartOrThePeriodIsAccepted) {
-  EXPECT_EQ(error_of({0.3, 1, {{{0.1, 0.2}}}}), "accepted");
-  EXPECT_EQ(error_of({1, 2, {{{0.1, 0.2}, {0.3, 0.7}}}}), "accepted");
+  EXPECT_EQ(rule_broken_by({0.3, 1, {{{0.1, 0.2}}}}), "accepted");
+  EXPECT_EQ(rule_broken_by({1, 2, {{{0.1, 0.2}, {0.3, 0.7}}}}), "accepted");
 }
 
 TEST(Flash, PatternThatNoLampHasIsAnError) {
-  EXPECT_EQ(error_of(kTriple), "accepted");
+  EXPECT_EQ(rule_broken_by(kTriple), "accepted");
   for (const double period : {0.0, -1.0, 3600.1, kNan, kInfinity}) {
     Flash flash = kTriple;
     flash.period = period;
-    EXPECT_TRUE(error_of(flash).ends_with(": must be in (0, 3600]")) << period;
+    EXPECT_TRUE(rule_broken_by(flash).ends_with(": must be in (0, 3600]")) << period;
   }
-  EXPECT_EQ(error_of({.period = 1, .count = 9}), "flash.count = 9: must be at most 8");
+  EXPECT_EQ(rule_broken_by({.period = 1, .count = 9}), "flash.count = 9: must be at most 8");
   const std::string order = ": must be >= 0 and not before the end of the flash before it";
   EXPECT_EQ(error_with(&SingleFlash::start, 0.2), "flash.flashes[1].start = 0.2" + order);
   EXPECT_EQ(error_with(&SingleFlash::start, kNan), "flash.flashes[1].start = nan" + order);
-  EXPECT_EQ(error_of({1, 1, {{{-0.1, 0.2}}}}), "flash.flashes[0].start = -0.1" + order);
+  EXPECT_EQ(rule_broken_by({1, 1, {{{-0.1, 0.2}}}}), "flash.flashes[0].start = -0.1" + order);
   EXPECT_EQ(error_with(&SingleFlash::duration, 0), "flash.flashes[1].duration = 0: must be > 0");
   EXPECT_EQ(error_with(&SingleFlash::duration, kNan), "flash.flashes[1].duration = nan: must be > 0");
   EXPECT_EQ(error_with(&SingleFlash::duration, 1.8), "flash.flashes[1].duration = 1.8: must end within the period");

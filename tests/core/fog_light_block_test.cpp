@@ -130,6 +130,15 @@ TEST(FogLightBlock, BlockHoldsFogCountAndAmbientColor) {
   EXPECT_EQ(exp2_block.header.fog, glm::vec4(0.25, 1, 3, 0));
 }
 
+TEST(FogLightBlock, HeaderHoldsTheKnotsOfLayersWithZerosBehindThem) {
+  const std::array<DensityKnot, 2> knots{{{100, 0.02}, {120, 1e300}}};
+  const FogHeader header = pack_fog_header({.profile = make_density_profile(knots)}, 0);
+  EXPECT_EQ(header.ambient_fog_color.w, 2);
+  EXPECT_EQ(header.density_knots[0], glm::vec4(100, 0.02f, 0, 0));
+  EXPECT_EQ(header.density_knots[1], glm::vec4(120, kMaxKnotDensity, 0, 0));
+  for (std::size_t i = 2; i < kMaxDensityKnots; ++i) EXPECT_EQ(header.density_knots[i], glm::vec4(0)) << i;
+}
+
 TEST(FogLightBlock, LightsAreInOrderWithZerosBehindThem) {
   std::vector<PlacedLight> lights(3, distinct_light());
   std::vector<FogIntensity> solutions(3, kSolution);

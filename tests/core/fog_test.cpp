@@ -253,9 +253,9 @@ TEST(ScaledFog, ClearAirStaysClearAndTotalFogTotalUnlessTheScaleIsZero) {
 }
 
 TEST(ScaledFog, NegativeOrInfiniteScaleOrWrongFogIsAnError) {
-  EXPECT_EQ(error_of([] { scaled({}, -1); }), "density_scale = -1: must be finite and >= 0");
-  EXPECT_EQ(error_of([] { scaled({}, kInfinity); }), "density_scale = inf: must be finite and >= 0");
-  EXPECT_EQ(error_of([] { scaled({}, kNan); }), "density_scale = nan: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { scaled(Fog{}, -1); }), "density_scale = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { scaled(Fog{}, kInfinity); }), "density_scale = inf: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { scaled(Fog{}, kNan); }), "density_scale = nan: must be finite and >= 0");
   EXPECT_EQ(error_of([] { scaled({FogMode::exp, -3}, 1); }), "fog.density = -3: must be >= 0");
 }
 

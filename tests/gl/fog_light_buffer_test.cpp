@@ -34,7 +34,9 @@ class FogLightLayout : public GlTest {
   static constexpr const char* kKindMembers = "vec4 attenuation_extent; vec4 cone_scale_intensity;";
   static constexpr const char* kInstanceMembers = "vec4 position_kind; vec4 axis_profile; vec4 color;";
   static constexpr const char* kBlockMembers =
-      "vec4 litfog_fog; vec4 litfog_ambient_fog_color; LitfogKind litfog_kinds[200]; LitfogInstance "
+      "vec4 litfog_fog; vec4 litfog_ambient_fog_color; vec4 litfog_phase_lobes[2]; vec4 litfog_density_knots[8]; "
+      "LitfogKind litfog_kinds[200]; "
+      "LitfogInstance "
       "litfog_instances[200];";
 
   static std::string error_of_members(const std::string& kind_members, const std::string& instance_members,
@@ -54,16 +56,16 @@ TEST_F(FogLightLayout, BlockWithTheSameMembersIsAccepted) {
 
 TEST_F(FogLightLayout, SwappedMembersAreAnError) {
   EXPECT_EQ(error_of_members("vec4 cone_scale_intensity; vec4 attenuation_extent;", kInstanceMembers, kBlockMembers),
-            "LitfogLightBlock: the driver puts litfog_kinds[0].attenuation_extent at byte 48, std140 has it at 32");
+            "LitfogLightBlock: the driver puts litfog_kinds[0].attenuation_extent at byte 208, std140 has it at 192");
   EXPECT_EQ(error_of_members(kKindMembers, "vec4 axis_profile; vec4 position_kind; vec4 color;", kBlockMembers),
-            "LitfogLightBlock: the driver puts litfog_instances[0].position_kind at byte 6448, std140 has it at 6432");
+            "LitfogLightBlock: the driver puts litfog_instances[0].position_kind at byte 6608, std140 has it at 6592");
 }
 
 TEST_F(FogLightLayout, ExtraMemberIsAnError) {
   EXPECT_EQ(error_of_members(std::string(kKindMembers) + "vec4 extra;", kInstanceMembers, kBlockMembers),
-            "LitfogLightBlock: the driver puts litfog_instances[0].position_kind at byte 9632, std140 has it at 6432");
+            "LitfogLightBlock: the driver puts litfog_instances[0].position_kind at byte 9792, std140 has it at 6592");
   EXPECT_EQ(error_of_members(kKindMembers, std::string(kInstanceMembers) + "vec4 extra;", kBlockMembers),
-            "LitfogLightBlock: the driver puts litfog_instances[1].position_kind at byte 6496, std140 has it at 6480");
+            "LitfogLightBlock: the driver puts litfog_instances[1].position_kind at byte 6656, std140 has it at 6640");
 }
 
 TEST_F(FogLightLayout, SwappedFogAndAmbientColorAreAnError) {
@@ -75,9 +77,10 @@ TEST_F(FogLightLayout, SwappedFogAndAmbientColorAreAnError) {
 
 TEST_F(FogLightLayout, TooFewLightsAreAnError) {
   EXPECT_EQ(error_of_members(kKindMembers, kInstanceMembers,
-                             "vec4 litfog_fog; vec4 litfog_ambient_fog_color; LitfogKind litfog_kinds[200]; "
+                             "vec4 litfog_fog; vec4 litfog_ambient_fog_color; vec4 litfog_phase_lobes[2]; vec4 "
+                             "litfog_density_knots[8]; LitfogKind litfog_kinds[200]; "
                              "LitfogInstance litfog_instances[64];"),
-            "LitfogLightBlock: the driver puts litfog_instances[199].position_kind at byte -1, std140 has it at 15984");
+            "LitfogLightBlock: the driver puts litfog_instances[199].position_kind at byte -1, std140 has it at 16144");
 }
 
 /// What a driver reads of a buffer into which an updater's tables went.
@@ -106,8 +109,8 @@ class FogLightBuffer : public GlTest {
   }
 
   static std::vector<glm::vec4> expected(const FogUpdater& updater) {
-    const auto [fog, ambient, lobes] = header(updater);
-    std::vector<glm::vec4> values{fog, ambient};
+    const FogHeader block_header = header(updater);
+    std::vector<glm::vec4> values{block_header.fog, block_header.ambient_fog_color};
     for (std::size_t i = 0; i < updater.instances().size(); ++i) {
       values.push_back(updater.kinds()[i].cone_scale_intensity);
       values.push_back(updater.instances()[i].color);

@@ -76,13 +76,36 @@ typedef struct litfog_phase {
   double weight;  ///< [0, 1], of the first lobe; the second has the rest
 } litfog_phase;
 
-/// All that the air is.
+/// Density of the fog at a height (litfog/density_profile.h).
+typedef struct litfog_density_knot {
+  double height;   ///< metres, at most 16777216 in magnitude
+  double density;  ///< 1/m, finite, >= 0
+} litfog_density_knot;
+
+#define LITFOG_MAX_DENSITY_KNOTS 8
+
+/// Density of exp fog over height: linear between knots, constant below the first and above the last, 0 without knots.
+typedef struct litfog_density_profile {
+  litfog_density_knot knots[LITFOG_MAX_DENSITY_KNOTS];  ///< heights strictly rise
+  size_t count;                                         ///< knots in use
+} litfog_density_profile;
+
+/// A layer of fog, with transition bands outside it in which the density falls linearly to 0.
+typedef struct litfog_fog_layer {
+  double base;        ///< metres; -INFINITY: it has no base
+  double top;         ///< metres, above the base; INFINITY: it has no top
+  double transition;  ///< metres, finite, >= 0: height of each band
+  double visibility;  ///< metres, > 0; INFINITY is no fog
+} litfog_fog_layer;
+
+/// All that the air is. Its density at a height is the fog's plus the profile's.
 typedef struct litfog_atmosphere {
   litfog_fog fog;
   litfog_phase phase;
-  double albedo;                ///< [0, 1]: the fraction of the light taken by the fog that it scatters
-  double top;                   ///< metres: height at which rays to the sky leave the fog; INFINITY: they do not
-  double ambient_fog_color[3];  ///< linear RGB, finite, >= 0
+  double albedo;                   ///< [0, 1]: the fraction of the light taken by the fog that it scatters
+  double top;                      ///< metres: height at which rays to the sky leave the fog; INFINITY: they do not
+  double ambient_fog_color[3];     ///< linear RGB, finite, >= 0
+  litfog_density_profile profile;  ///< layers, in exp fog only; {0}: none
 } litfog_atmosphere;
 
 // Contrast thresholds that give a visibility its meaning.
@@ -118,6 +141,20 @@ LITFOG_API litfog_status litfog_runway_visual_range(const litfog_fog* fog, doubl
 ///
 /// background  luminance, cd/m2, finite, >= 0
 LITFOG_API litfog_status litfog_illuminance_threshold(double background, double* lux);
+
+/// The profile of layers, which add up where they overlap. A layer without base or top needs 2 knots, any other 4.
+///
+/// contrast  that of the layers' visibility, (0, 1)
+LITFOG_API litfog_status litfog_density_profile_from_layers(const litfog_fog_layer* layers, size_t count,
+                                                            double contrast, litfog_density_profile* profile);
+
+/// Uniform fog of the mean density between two heights, in either order: the fog factor of a straight line from one to
+/// the other is that in it. At equal heights it is the fog there, which litfog_updater_set_fog takes at the eye's
+/// height.
+///
+/// height_a, height_b  metres, finite
+LITFOG_API litfog_status litfog_fog_between(const litfog_atmosphere* atmosphere, double height_a, double height_b,
+                                            litfog_fog* fog);
 
 // --- lights (litfog/light.h) ---
 
@@ -317,6 +354,7 @@ LITFOG_API litfog_status litfog_axial_airlight(const litfog_light* light, const 
 
 /// The range in metres beyond which a light is visible neither on surfaces nor in fog.
 ///
+/// fog       in layered air the thinnest at any height
 /// budget    (0, 1): over the largest component of the light's colour
 /// lamp_leg  LITFOG_LAMP_LEG_*
 /// range     [0, extent]; may be infinity
@@ -337,9 +375,10 @@ typedef struct litfog_fog_light_instance {
 } litfog_fog_light_instance;
 
 typedef struct litfog_fog_header {
-  float fog[4];                ///< density, mode, number of instances, albedo
-  float ambient_fog_color[4];  ///< colour (3), 0
-  float phase_lobes[2][4];     ///< the phase function's, with what does not depend on the angle
+  float fog[4];                                      ///< density, mode, number of instances, albedo
+  float ambient_fog_color[4];                        ///< colour (3), number of knots
+  float phase_lobes[2][4];                           ///< the phase function's, with what does not depend on the angle
+  float density_knots[LITFOG_MAX_DENSITY_KNOTS][4];  ///< height, density, 0, 0
 } litfog_fog_header;
 
 #define LITFOG_MAX_FOG_LIGHTS 200
@@ -357,7 +396,8 @@ typedef struct litfog_fog_light_block {
 LITFOG_API litfog_status litfog_pack_fog_header(const litfog_atmosphere* atmosphere, size_t instances,
                                                 litfog_fog_header* header);
 
-/// The whole block from lights, each solved in the fog. For lights that do not change; others need an updater.
+/// The whole block from lights, each solved in the atmosphere's fog without its profile. For lights that do not change;
+/// others need an updater.
 ///
 /// count  at most LITFOG_MAX_FOG_LIGHTS
 LITFOG_API litfog_status litfog_pack_fog_light_block(const litfog_atmosphere* atmosphere,

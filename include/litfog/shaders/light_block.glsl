@@ -10,6 +10,7 @@
 #include "litfog/shaders/phase.glsl"
 
 const int LITFOG_MAX_LIGHTS = 200;
+const int LITFOG_MAX_DENSITY_KNOTS = 8;
 
 #ifdef VULKAN
 #ifndef LITFOG_SET
@@ -23,8 +24,9 @@ layout(set = LITFOG_SET, binding = LITFOG_BLOCK_BINDING, std140) uniform LitfogL
 layout(std140) uniform LitfogLightBlock {
 #endif
   vec4 litfog_fog;  // x density, y mode as litfog_is_exp() takes it, z number of lights, w albedo
-  vec4 litfog_ambient_fog_color;
+  vec4 litfog_ambient_fog_color;  // w number of knots
   vec4 litfog_phase_lobes[2];  // LitfogPhaseLobe
+  vec4 litfog_density_knots[LITFOG_MAX_DENSITY_KNOTS];  // x height, y density
   LitfogKind litfog_kinds[LITFOG_MAX_LIGHTS];
   LitfogInstance litfog_instances[LITFOG_MAX_LIGHTS];
 };
