@@ -20,7 +20,6 @@ namespace {
 std::vector<double> largest_contributions(render::Renderer& renderer) {
   const measure::PathModel model(renderer);
   const std::vector<measure::ReferenceLight>& lights = model.lights();
-  const glm::dvec3 eye = renderer.scene().camera.position - renderer.origin();
   const double step = render::visible_step(0);
   const render::GeometryBuffer geometry(renderer.width(), renderer.height(), renderer.samples());
   renderer.draw_geometry(geometry);
@@ -32,11 +31,13 @@ std::vector<double> largest_contributions(render::Renderer& renderer) {
       const bool is_sky = sample.material < 0;
       if (is_sky || (s > 0 && sample.is_of_same_fragment(row[s - 1]))) continue;
       const measure::SurfacePoint point = model.surface_point(sample);
-      const double through = fog_factor_at(model.atmosphere().fog, glm::distance(point.position, eye)) / step;
+      const Fog fog = model.atmosphere().fog_between(point.position.y, model.eye().y);
+      const double through = fog_factor_at(fog, glm::distance(point.position, model.eye())) / step;
       for (std::size_t i = 0; i < lights.size(); ++i) {
         const auto ray = measure::ray_within(lights[i].extent, lights[i], point.position);
         if (!ray) continue;
-        const double light = lights[i].emitted(ray->direction) * model.falloff(lights[i], ray->range) * through;
+        const double light =
+            lights[i].emitted(ray->direction) * model.falloff(lights[i], point.position.y, ray->range) * through;
         if (!(light > 0)) continue;
         const glm::dvec3 seen = lights[i].placed.light.color * model.reflectance(point, -ray->direction);
         most[i] = std::max(most[i], light * render::largest_component(seen));
@@ -53,7 +54,7 @@ std::vector<std::size_t> lights_with_points(const render::Renderer& renderer) {
   const double aspect = double(renderer.width()) / renderer.height();
   const glm::mat4 clip_from_world = render::clip_from_view(camera, aspect) * scene::view_from_world<float>(camera);
   const render::PointList points =
-      render::list_points(lights, renderer.atmosphere().fog, renderer.settings().fog_lighting,
+      render::list_points(lights, renderer.atmosphere().seen_from(lights.origin().y), renderer.settings().fog_lighting,
                           {.eye = camera.position,
                            .forward = axes_of(camera).forward,
                            .frustum = render::make_frustum(clip_from_world),

@@ -110,7 +110,8 @@ FrameReport View::draw(const Fog& fog, const render::Display& display) {
                       updater_.instances(), changes);
   FrameReport report{.bytes_uploaded = updater_.statistics().bytes_dirty + sizeof(FogHeader)};
 
-  const render::View view = render::view_of(scene_.camera, size_, scene_.atmosphere.top - scene_.camera.position.y);
+  const render::View view =
+      render::view_of(scene_.camera, size_, scene_.atmosphere.top_above(scene_.camera.position.y));
   glBindFramebuffer(GL_FRAMEBUFFER, drawn_->framebuffer.id());
   glViewport(0, 0, size_.x, size_.y);
   glClear(GL_COLOR_BUFFER_BIT);

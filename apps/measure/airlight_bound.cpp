@@ -35,18 +35,22 @@ double largest_cosine(const PlacedLight& light, const EyeRay& ray, double first,
   return std::min(largest + kRounding, 1.0);
 }
 
-/// The largest -f'(s) f(r), 1/m, where r >= |L - s|, L being the distance from the eye to the light. In exp2 fog that
-/// is the largest 2 d x e^(-x^2 - (d L - x)^2) with x = d s, where 4 x^2 = 1 + 2 d L x.
-double largest_weight(const Fog& fog, double eye_range) {
-  const double depth = fog.density * eye_range;
-  if (fog.mode == FogMode::exp) return fog.density * std::exp(-depth);
+/// The largest -f'(s) f(r), 1/m, where r >= |L - s|, L being the distance from the eye to the light. In exp fog the
+/// density is at most that of the thickest, and both legs together as deep as L in the thinnest or deeper. In exp2 fog
+/// it is the largest 2 d x e^(-x^2 - (d L - x)^2) with x = d s, where 4 x^2 = 1 + 2 d L x.
+double largest_weight(const Fog& thinnest, const Fog& thickest, double eye_range) {
+  const double depth = thinnest.density * eye_range;
+  if (thickest.mode == FogMode::exp) return thickest.density * std::exp(-depth);
   const double x = (depth + std::sqrt(depth * depth + 4)) / 4;
-  return fog.density * 2 * x * std::exp(-x * x - (depth - x) * (depth - x));
+  return thickest.density * 2 * x * std::exp(-x * x - (depth - x) * (depth - x));
 }
 
 }  // namespace
 
-double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Phase& phase) {
+double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Atmosphere& atmosphere) {
+  const double density_scale = light.placed.light.density_scale;
+  const Fog thinnest = scaled(atmosphere.thinnest_fog(), density_scale);
+  const Fog thickest = scaled(atmosphere.thickest_fog(), density_scale);
   const glm::dvec3 to_light = light.placed.position - ray.origin;
   const double approach = glm::dot(to_light, ray.direction);
   const double nearest = glm::distance(to_light, std::clamp(approach, 0.0, ray.length) * ray.direction);
@@ -54,20 +58,20 @@ double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Phas
   const Attenuation& attenuation = light.placed.light.attenuation;
   const double brightest = attenuation_at(attenuation, nearest);
   const double eye_range = glm::length(to_light);
-  if (std::isinf(light.fog.density) && eye_range > 0) return 0;  // all is scattered in the eye
+  if (std::isinf(thinnest.density) && eye_range > 0) return 0;  // all is scattered in the eye
   const double offset = glm::distance(to_light, approach * ray.direction);
   const double half_chord = std::sqrt(std::max(light.fog_extent * light.fog_extent - offset * offset, 0.0));
   const double first = std::clamp(approach - half_chord, 0.0, ray.length);
   const double last = std::clamp(approach + half_chord, first, ray.length);
   const double factor =
       cone_at(light.placed.light.cone, largest_cosine(light.placed, ray, first, last)) *
-      largest_phase(phase, -1, eye_range > 0 ? std::clamp(approach / eye_range, -1.0, 1.0) : 1);
-  if (std::isinf(light.fog.density)) return factor * brightest;
+      largest_phase(atmosphere.phase, -1, eye_range > 0 ? std::clamp(approach / eye_range, -1.0, 1.0) : 1);
+  if (std::isinf(thickest.density)) return factor * brightest;
   const double denominator =
       formulas::denominator(offset, attenuation.constant, attenuation.linear, attenuation.quadratic);
   const double integral =
       std::min(brightest * (last - first), std::numbers::pi / std::sqrt(attenuation.quadratic * denominator));
-  return factor * std::min(brightest, largest_weight(light.fog, eye_range) * integral);
+  return factor * std::min(brightest, largest_weight(thinnest, thickest, eye_range) * integral);
 }
 
 }  // namespace litfog::measure

@@ -17,6 +17,6 @@ namespace litfog::measure {
 /// from its axis, and with the largest value of the phase function.
 ///
 /// returns  >= airlight, >= 0; may be infinite only where the attenuation is
-double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Phase& phase);
+double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Atmosphere& atmosphere);
 
 }  // namespace litfog::measure

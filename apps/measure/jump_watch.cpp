@@ -61,7 +61,8 @@ bool JumpWatch::is_at_jump(const SurfacePoint& point, const ReferenceLight& ligh
   const bool is_at_extent = std::abs(ray.range - light.extent) < rounding * ray.range;
   const bool is_at_edge = is_at_cone_edge(light, ray, rounding);
   if (!is_just_turned_away && !is_at_extent && !is_at_edge) return false;
-  const glm::dvec3 on_axis = light.placed.light.color * model_.falloff(light, std::min(ray.range, light.extent));
+  const glm::dvec3 on_axis =
+      light.placed.light.color * model_.falloff(light, point.position.y, std::min(ray.range, light.extent));
   const glm::dvec3 arriving = on_axis * light.emitted(ray.direction);
   const glm::dvec3 reflectance = model_.reflectance(point, to_light);
   return (is_just_turned_away && is_seen(arriving * model_.highlight(point, to_light))) ||
@@ -71,7 +72,7 @@ bool JumpWatch::is_at_jump(const SurfacePoint& point, const ReferenceLight& ligh
 
 bool JumpWatch::is_at_shadow_edge(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const {
   const glm::dvec3 arriving =
-      light.placed.light.color * model_.falloff(light, ray.range) * light.emitted(ray.direction);
+      light.placed.light.color * model_.falloff(light, point.position.y, ray.range) * light.emitted(ray.direction);
   return is_seen(arriving * model_.reflectance(point, -ray.direction)) && model_.is_at_shadow_edge(point, light);
 }
 
@@ -90,7 +91,7 @@ bool JumpWatch::is_at_jump(const Veil& veil, const glm::dvec3& position) const {
 bool JumpWatch::is_at_fog_horizon(double fog_above_eye, const glm::dvec3& direction) const {
   const auto opacity = [&](double rise) {
     const glm::dvec3 near(direction.x, direction.y + rise, direction.z);
-    return opacity_at(model_.atmosphere().fog, fog_before_sky(fog_above_eye, near));
+    return model_.opacity_before(model_.eye() + near * fog_before_sky(fog_above_eye, near));
   };
   return is_seen(glm::dvec3(opacity(-kHorizonRounding) - opacity(kHorizonRounding)));
 }

@@ -29,8 +29,8 @@ LookupBounds::Interval LookupBounds::surface_color(const SurfacePoint& point) co
     if (!ray || model_.is_in_shadow(point, light)) continue;
     const auto [dimmest, brightest] = emitted(light, ray->direction);
     const glm::dvec3 reflected = light.placed.light.color * model_.reflectance(point, -ray->direction);
-    color.least += reflected * dimmest * model_.falloff(light, ray->range + around);
-    color.most += reflected * brightest * model_.falloff(light, std::max(ray->range - around, 0.0));
+    color.least += reflected * dimmest * model_.falloff(light, point.position.y, ray->range + around);
+    color.most += reflected * brightest * model_.falloff(light, point.position.y, std::max(ray->range - around, 0.0));
   }
   return color;
 }

@@ -36,7 +36,7 @@ PathModel::PathModel(const render::Renderer& renderer)
     : settings_(renderer.settings()),
       path_(*renderer.settings().path),
       environment_(renderer.scene().environment),
-      atmosphere_(renderer.atmosphere()),
+      atmosphere_(renderer.atmosphere().seen_from(renderer.origin().y)),
       materials_(renderer.materials()),
       lights_(reference_lights(renderer.scene(), renderer.atmosphere(), renderer.settings(), renderer.ends_exposure())),
       airlight_budget_(kAirlightBudget * std::exp2(-renderer.exposure())),
@@ -77,7 +77,7 @@ glm::dvec3 PathModel::surface_color(const SurfacePoint& point) const {
   for (const ReferenceLight& light : lights_) {
     const auto ray = ray_within(light.extent, light, point.position);
     if (!ray) continue;
-    const double arriving = light.emitted(ray->direction) * falloff(light, ray->range);
+    const double arriving = light.emitted(ray->direction) * falloff(light, point.position.y, ray->range);
     if (arriving > 0 && !is_in_shadow(point, light))
       color += light.placed.light.color * arriving * reflectance(point, -ray->direction);
   }
@@ -98,12 +98,13 @@ glm::dvec3 PathModel::moonlight(const SurfacePoint& point) const {
   return moon_color * reflectance(point, environment_.moon_direction);
 }
 
-double PathModel::falloff(const ReferenceLight& light, double range) const {
+double PathModel::falloff(const ReferenceLight& light, double height, double range) const {
   if (range > light.extent) return 0;
   const bool is_fogged = settings_.fog_lighting == render::FogLighting::airlight;
-  const double through = is_fogged ? fog_factor_at(light.fog, range) : 1;
-  if (path_.range == render::RangeLaw::attenuation)
-    return through * attenuation_at(light.placed.light.attenuation, range);
+  const PlacedLight& placed = light.placed;
+  const Fog fog = scaled(atmosphere_.fog_between(placed.position.y, height), placed.light.density_scale);
+  const double through = is_fogged ? fog_factor_at(fog, range) : 1;
+  if (path_.range == render::RangeLaw::attenuation) return through * attenuation_at(placed.light.attenuation, range);
   const double fraction = std::isinf(light.extent) ? 0 : range / light.extent;
   return through * (1 - fraction * fraction);
 }
@@ -123,11 +124,14 @@ glm::dvec3 PathModel::highlight(const SurfacePoint& point, const glm::dvec3& to_
   return point.specular * std::pow(std::max(glm::dot(point.normal, half_vector), 0.0), point.shininess);
 }
 
+double PathModel::opacity_before(const glm::dvec3& position) const {
+  return opacity_at(atmosphere_.fog_between(position.y, eye_.y), glm::distance(position, eye_));
+}
+
 /// Ambient fog + sum over the carried lights of color * cone * intensity (Steven Hales 2004, "Realtime Pixel Lighting
 /// Using Fragment Programs", section "Lighting in Fog").
 Veil PathModel::veil(const glm::dvec3& position) const {
-  Veil veil{.color = atmosphere_.ambient_fog_color,
-            .opacity = opacity_at(atmosphere_.fog, glm::distance(position, eye_))};
+  Veil veil{.color = atmosphere_.ambient_fog_color, .opacity = opacity_before(position)};
   if (veil.opacity <= 0) return veil;
   for (const ReferenceLight& light : lights_) {
     if (!lights_fog(light)) continue;
@@ -164,7 +168,7 @@ glm::dvec3 PathModel::airlight(const glm::dvec3& direction, double length) const
   const double unit = airlight_unit(atmosphere_);
   for (const ReferenceLight& light : lights_) {
     const double brightest = unit * render::largest_component(light.placed.light.color);
-    const double most = brightest * airlight_bound(light, ray, atmosphere_.phase);
+    const double most = brightest * airlight_bound(light, ray, atmosphere_);
     if (most > 0) candidates.push_back({most, &light});
   }
   std::ranges::sort(candidates, {}, &Candidate::most);

@@ -64,8 +64,9 @@ class PathModel {
   glm::dvec3 surface_color(const SurfacePoint& point) const;
   /// Its emissive, ambient and directional light.
   glm::dvec3 without_lamps(const SurfacePoint& point) const;
-  /// A light's attenuation by the path's range law and, lit by airlight, by the fog before it; 0 beyond its extent.
-  double falloff(const ReferenceLight& light, double range) const;
+  /// A light's attenuation by the path's range law and, lit by airlight, by the fog between it and a height at that
+  /// range; 0 beyond its extent.
+  double falloff(const ReferenceLight& light, double height, double range) const;
   /// The fraction of the light from a unit direction that the surface reflects.
   glm::dvec3 reflectance(const SurfacePoint& point, const glm::dvec3& to_light) const;
   /// The specular part of it, as if the surface faced the light.
@@ -91,7 +92,10 @@ class PathModel {
   glm::dvec3 moonlight(const SurfacePoint& point) const;
 
   Veil veil(const glm::dvec3& position) const;
-  /// The renderer's.
+  /// The opacity of the fog between the eye and a position.
+  double opacity_before(const glm::dvec3& position) const;
+  const glm::dvec3& eye() const { return eye_; }  ///< relative to the renderer's origin
+  /// The renderer's, with its heights relative to the renderer's origin.
   const Atmosphere& atmosphere() const { return atmosphere_; }
   /// Whether a light lights the fog. Only then is it visible in `veil`.
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }

@@ -32,6 +32,7 @@ double ReferenceLight::airlight(const Atmosphere& atmosphere, const EyeRay& ray)
 std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Atmosphere& atmosphere,
                                              const render::RenderSettings& settings, double exposure) {
   const bool has_far_ends = render::lights_fog_beyond_end(settings);
+  const Fog fog_at_eye = atmosphere.fog_at(scene.camera.position.y);
   std::vector<ReferenceLight> lights;
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {
     PlacedLight placed = scene::lit_light(scene, i);
@@ -50,8 +51,7 @@ std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const At
                       .extent = extent > 0 && render::lights_surfaces_beyond_end(settings) ? kInfinity : extent,
                       .fog_threshold = fog_threshold,
                       .fog_extent = compute_extent(light.attenuation, fog_threshold),
-                      .fog = scaled(atmosphere.fog, light.density_scale),
-                      .fog_intensity = has_intensity ? solve_fog_intensity(light, atmosphere.fog).intensity : 0,
+                      .fog_intensity = has_intensity ? solve_fog_intensity(light, fog_at_eye).intensity : 0,
                       .cookie = has_cookie ? &scene.cookies[use->second.cookie] : nullptr,
                       .cookie_from_world =
                           has_cookie ? scene::cookie_from_world(placed.direction, use->second.roll) : glm::dmat3(1.0)});

@@ -18,7 +18,6 @@ struct ReferenceLight {
   double extent;                 ///< metres, on surfaces
   double fog_threshold;          ///< where it ends in the fog
   double fog_extent;             ///< metres: that end
-  Fog fog;                       ///< as the light's class sees it
   double fog_intensity;          ///< 0 unless the light is carried by the eye's vehicle, and in airlight
   const Cookie* cookie;          ///< replaces the cone; null: none
   glm::dmat3 cookie_from_world;  ///< rotation

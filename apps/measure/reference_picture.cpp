@@ -58,8 +58,8 @@ class ReferenceShading {
   explicit ReferenceShading(const render::Renderer& renderer)
       : model_(renderer),
         jumps_(model_),
-        eye_(renderer.scene().camera.position - renderer.origin()),
-        fog_above_eye_(model_.atmosphere().top - renderer.scene().camera.position.y),
+        eye_(model_.eye()),
+        fog_above_eye_(model_.atmosphere().top_above(model_.eye().y)),
         rays_(renderer.scene().camera, renderer.width(), renderer.height()) {
     if (model_.path().maps != render::LightMapSet::none) bounds_.emplace(model_, renderer.settings().papers);
   }

@@ -115,15 +115,18 @@ void Renderer::set_lights_for(double ends_exposure) {
 }
 
 void Renderer::set_atmosphere(const Atmosphere& atmosphere) {
+  const Atmosphere relative = atmosphere.seen_from(lights_.origin().y);  // as shaders and plans have heights
+  const FogHeader header = pack_fog_header(relative, 0);
   atmosphere_ = atmosphere;
-  const FogLightChanges changes = lights_.set_fog(atmosphere.fog);
+  solved_fog_ = fog_at_eye();
+  const FogLightChanges changes = lights_.set_fog(solved_fog_);
   light_tables_.upload(lights_.kinds(), lights_.instances(), changes);
   fog_bytes_ = sizeof(FogHeader) + entries_in(changes.kinds) * sizeof(FogLightKind) +
                entries_in(changes.instances) * sizeof(FogLightInstance);
-  fog_block_.upload(pack_fog_header(atmosphere, 0));
-  surfaces_.set_fog();
+  fog_block_.upload(header);
+  surfaces_.set_fog(atmosphere.profile.count > 0);
   const bool has_shafts = settings_.shadows == Shadows::shafts;
-  planner_.set_atmosphere(atmosphere, !fog_lights(lights_, Skipping::on).empty(),
+  planner_.set_atmosphere(relative, !fog_lights(lights_, Skipping::on).empty(),
                           has_shafts ? shadows_->caster_of_lights() : std::span<const std::int32_t>());
 }
 
@@ -149,7 +152,7 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
 
 View Renderer::view() const {
   return view_of(relative_to(lights_.origin(), scene_.camera), {width(), height()},
-                 atmosphere_.top - scene_.camera.position.y);
+                 atmosphere_.top_above(scene_.camera.position.y));
 }
 
 FrameView Renderer::frame_view(const View& view, const FrameExposures& exposures) const {
@@ -165,7 +168,11 @@ FrameView Renderer::frame_view(const View& view, const FrameExposures& exposures
 }
 
 void Renderer::follow_camera() {
-  if (scene::local_origin(scene_.camera.position) != lights_.origin()) set_lights();
+  if (scene::local_origin(scene_.camera.position) != lights_.origin()) {
+    set_lights();
+  } else if (fog_at_eye() != solved_fog_) {
+    set_atmosphere(atmosphere_);
+  }
 }
 
 FrameStatistics Renderer::draw_and_measure() {

@@ -63,7 +63,10 @@ class Renderer {
   /// Takes a change of the scene's ambient light or moon; where the moon casts shadows, set_lights() has to follow. The
   /// first one compiles shaders anew, in which a driver may round the last bit of a sum otherwise.
   void set_environment_light() { surfaces_.set_environment_light(); }
-  /// Takes another atmosphere than the scene's: solves the carried lights and uploads what changed of them.
+  /// Takes another atmosphere than the scene's: solves the carried lights and uploads what changed of them. In layered
+  /// air they are solved for the fog at the eye, and again where a frame finds the camera in other fog.
+  ///
+  /// throws  std::invalid_argument naming field, value and rule
   void set_atmosphere(const Atmosphere& atmosphere);
   /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is
   /// left out; frames themselves are not exposed. An automatic exposure is that of a frame in the present fog without
@@ -131,8 +134,9 @@ class Renderer {
   };
 
   void set_lights_for(double ends_exposure);
-  /// Sets the lights again if the camera has left the surroundings of their origin.
+  /// Sets the lights again if the camera has left the surroundings of their origin, the fog if it is in another.
   void follow_camera();
+  Fog fog_at_eye() const { return atmosphere_.fog_at(scene_.camera.position.y); }
   void set_framebuffer(int width, int height, Passes passes);
   void begin_frame(const Framebuffer& framebuffer, const glm::vec3& background);
   double count_lights_per_fragment();
@@ -146,6 +150,7 @@ class Renderer {
   const scene::Scene& scene_;
   RenderSettings settings_;
   Atmosphere atmosphere_;
+  Fog solved_fog_;  // for which carried lights are solved
   std::function<bool()> is_unwanted_;
   double exposure_ = 0;
   std::size_t fog_bytes_ = 0;  // uploaded at the last change of the fog

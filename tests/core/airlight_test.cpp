@@ -854,8 +854,9 @@ TEST(AirlightBound, BoundOnAWholeRayIsNeverBelowItsAirlight) {
     const auto [constant, linear, quadratic] = light.attenuation;
     const glm::dvec3 to_light = c.light.position - c.ray.origin;
     const double eye_range = glm::length(to_light);
-    const double weight = formulas::litfog_largest_fog_weight(double(c.atmosphere.fog.mode), c.atmosphere.fog.density,
-                                                              2 * eye_range / 3, eye_range / 3);
+    const double weight =
+        formulas::litfog_largest_fog_weight(double(c.atmosphere.fog.mode), c.atmosphere.fog.density,
+                                            c.atmosphere.fog.density, 2 * eye_range / 3, eye_range / 3);
     const double offset = glm::length(glm::cross(to_light, c.ray.direction)) * (1 - 1e-12);
     const double bound =
         formulas::litfog_largest_airlight(weight, formulas::denominator(offset, constant, linear, quadratic), quadratic,

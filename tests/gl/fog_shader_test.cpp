@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -39,7 +40,7 @@ TEST_F(FogShader, OpacityIsThatOfTheScaledFog) {
     const auto points = random_points([](Random& random) {
       return vec4(random.log_uniform(1e-2, 1e4), random.pick(std::array{1.0, 0.4, 0.75, 0.0}), 0, 0);
     });
-    const auto results = draw("result = vec4(litfog_fog_opacity(given(0).x, given(0).y));", {points});
+    const auto results = draw("result = vec4(litfog_fog_opacity(0.0, 0.0, given(0).x, given(0).y));", {points});
     // The function's 4 ulp (10 in thick fog) and up to 5 roundings of the depth before it.
     WorstError error("litfog_fog_opacity, GL", mode == FogMode::exp ? "exp, scales 0..1" : "exp2, scales 0..1", 10);
     for (std::size_t i = 0; i < points.size(); ++i) {
@@ -55,12 +56,38 @@ TEST_F(FogShader, OpacityOfTotalFogIsOneAndOfClearAirZero) {
   for (const FogMode mode : kModes) {
     upload({mode, std::numeric_limits<double>::infinity()}, {}, {}, {});
     const std::vector<std::vector<vec4>> points = {{vec4(1e-3f), vec4(1), vec4(1e5f)}};
-    for (const vec4& result : draw("result = vec4(litfog_fog_opacity(given(0).x, 1.0));", points))
+    for (const vec4& result : draw("result = vec4(litfog_fog_opacity(0.0, 0.0, given(0).x, 1.0));", points))
       EXPECT_EQ(result.x, 1);
     upload({mode, 0}, {}, {}, {});
-    for (const vec4& result : draw("result = vec4(litfog_fog_opacity(given(0).x, 1.0));", points))
+    for (const vec4& result : draw("result = vec4(litfog_fog_opacity(0.0, 0.0, given(0).x, 1.0));", points))
       EXPECT_EQ(result.x, 0);
   }
+}
+
+TEST_F(FogShader, OpacityOfLayeredFogIsThatOfTheMeanDensityAlongTheWay) {
+  const std::array<DensityKnot, 5> knots{{{0, 0.001}, {90, 0.02}, {100, 0.02}, {120, 0}, {1000, 0.005}}};
+  const Atmosphere air{.fog = {FogMode::exp, double(0.0005f)}, .profile = make_density_profile(knots)};
+  upload(air);
+  const auto points = random_points([&](Random& random) {
+    const float height = random.chance(0.3) ? float(random.pick(knots).height) : float(random.uniform(-50, 1200));
+    const double other = random.chance(0.3) ? double(height) : double(height) + random.uniform(-300, 300);
+    return vec4(height, float(other), random.log_uniform(1e-2, 1e4), random.pick(std::array{1.0, 0.4}));
+  });
+  const auto results = draw(
+      "vec4 p = given(0);"
+      "result = vec4(litfog_fog_density(p.x, p.y), litfog_fog_opacity(p.x, p.y, p.z, p.w), 0.0, 0.0);",
+      {points});
+  WorstError density_error("litfog_fog_density, GL", "5 knots, rises 0..300 m", 1e-5, "relative");
+  WorstError opacity_error("litfog_fog_opacity, GL", "5 knots, rises 0..300 m", 1e-5, "absolute");
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const vec4& p = points[i];
+    const Fog fog = air.fog_between(double(p.x), double(p.y));
+    const auto text = [&] { return describe(p); };
+    density_error.add(relative_error(results[i].x, fog.density), text);
+    opacity_error.add(std::abs(double(results[i].y) - opacity_at(scaled(fog, double(p.w)), double(p.z))), text);
+  }
+  density_error.check();
+  opacity_error.check();
 }
 
 constexpr double kColorBound = 2e-5;  // for colours up to 8: a two-hundredth of a step of 1/255

@@ -53,6 +53,7 @@ class ShaderTest : public GlTest {
               std::span<const FogIntensity> solutions) {
     block_ = pack_fog_light_block({.fog = fog, .ambient_fog_color = ambient}, lights, solutions);
   }
+  void upload(const Atmosphere& atmosphere) { block_ = pack_fog_light_block(atmosphere, {}, {}); }
   const FogLightBlock& block() const { return block_; }
 
   /// kPoints inputs, each drawn by draw_point(random).

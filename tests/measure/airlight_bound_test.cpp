@@ -12,12 +12,11 @@
 namespace litfog::test {
 namespace {
 
-measure::ReferenceLight reference_light(const PlacedLight& light, const Fog& fog) {
+measure::ReferenceLight reference_light(const PlacedLight& light) {
   return {.placed = light,
           .extent = compute_extent(light.light.attenuation, light.light.threshold),
           .fog_threshold = light.light.threshold,
           .fog_extent = compute_extent(light.light.attenuation, light.light.threshold),
-          .fog = scaled(fog, light.light.density_scale),
           .fog_intensity = 0,
           .cookie = nullptr,
           .cookie_from_world = glm::dmat3(1.0)};
@@ -33,7 +32,7 @@ TEST(MeasureAirlightBound, BoundIsNeverBelowTheAirlight) {
     AirlightCase c = random.chance(0.5) ? draw_airlight_case(random, mode, LampLeg::fogged)
                                         : draw_spot_airlight_case(random, mode, LampLeg::fogged);
     c.atmosphere.phase = draw_phase(random);
-    const double bound = measure::airlight_bound(reference_light(c.light, c.atmosphere.fog), c.ray, c.atmosphere.phase);
+    const double bound = measure::airlight_bound(reference_light(c.light), c.ray, c.atmosphere);
     const double airlight = reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
     ASSERT_GE(bound + kRounding, airlight * (1 - kQuadrature)) << to_string(c);
     if (bound < 1 / 255.) ++useful;

@@ -46,7 +46,7 @@ TEST(PointList, PointsLeftOutTogetherAddLessThanTheBudget) {
   for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
     for (const double density : {0.0, 0.005, 0.02, 0.1, 1.0}) {
       const Fog fog{mode, density};
-      const PointList found = list_points(lights, fog, FogLighting::peak, kView, kBudget);
+      const PointList found = list_points(lights, {.fog = fog}, FogLighting::peak, kView, kBudget);
       double left_out = 0;
       double farthest = 0;
       for (std::size_t i = 0; i < lights.size(); ++i) {
@@ -77,8 +77,8 @@ TEST(PointList, FogOfTheLightsClassDecides) {
   const Fog fog{FogMode::exp, 0.1};
   const scene::Scene dense = row_of_lamps(1, 200);
   const scene::Scene thin = row_of_lamps(1, 200, 0.4);
-  EXPECT_TRUE(list_points(SceneLights(dense, {}), fog, FogLighting::peak, kView, kBudget).lights.empty());
-  EXPECT_EQ(list_points(SceneLights(thin, {}), fog, FogLighting::peak, kView, kBudget).lights.size(), 1u);
+  EXPECT_TRUE(list_points(SceneLights(dense, {}), {.fog = fog}, FogLighting::peak, kView, kBudget).lights.empty());
+  EXPECT_EQ(list_points(SceneLights(thin, {}), {.fog = fog}, FogLighting::peak, kView, kBudget).lights.size(), 1u);
 }
 
 }  // namespace

@@ -30,7 +30,7 @@ void main() {
     LitfogLight light = light_at(i);
     vec4 ray = litfog_ray(light.position_extent.xyz, position);
     if (ray.w > light.position_extent.w) continue;
-    float through = has_airlight ? litfog_lamp_factor(light, ray.w) : 1.0;
+    float through = has_airlight ? litfog_lamp_factor(light, position.y, ray.w) : 1.0;
     lit += litfog_reflect(surface, -ray.xyz, litfog_light_along(light, ray) * through);
   }
   color = vec4(litfog_apply_fog(lit, position, eye), 1.0 / distance(position, eye));

@@ -62,10 +62,10 @@ void main() {
   for (int i = 0; i < int(litfog_fog.z); ++i) {
     LitfogLight light = litfog_block_light(i);
     lit += litfog_light_surface(surface, light) *
-           litfog_lamp_factor(light, distance(light.position_extent.xyz, position));
+           litfog_lamp_factor(light, position.y, distance(light.position_extent.xyz, position));
     airlight += litfog_light_airlight(light, eye, ray.xyz, ray.w);
   }
-  float opacity = litfog_fog_opacity(ray.w, 1.0);
+  float opacity = litfog_fog_opacity(eye.y, position.y, ray.w, 1.0);
   color = vec4(lit * (1.0 - opacity) + litfog_ambient_fog_color.rgb * opacity + airlight, 1.0);
 }
 )"}};

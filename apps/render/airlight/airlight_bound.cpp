@@ -28,12 +28,15 @@ AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmo
                              const glm::dvec3& eye)
     : attenuation_(light.light.attenuation),
       extent_(extent),
-      fog_(scaled(atmosphere.fog, light.light.density_scale)),
+      fog_(scaled(atmosphere.thinnest_fog(), light.light.density_scale)),
+      largest_density_(scaled(atmosphere.thickest_fog(), light.light.density_scale).density),
       phase_(atmosphere.phase),
       is_isotropic_(is_isotropic(phase_)),
       brightness_(airlight_unit(atmosphere) * largest_component(light.light.color)),
       eye_range_(glm::distance(eye, light.position)) {
-  fog_.density = std::min(fog_.density, 1e6);  // as in light_airlight.glsl
+  constexpr double kDensest = 1e6;  // as in light_airlight.glsl
+  fog_.density = std::min(fog_.density, kDensest);
+  largest_density_ = std::min(largest_density_, kDensest);
   weight_ = weight(2 * eye_range_ / 3, eye_range_ / 3);
   phase_integrals_[kAngles] = 0;
   for (int i = kAngles; i-- > 0 && !is_isotropic_;) {
@@ -127,7 +130,7 @@ double AirlightBound::beyond_extent(double distance) const {
 
 double AirlightBound::width() const { return compute_extent(attenuation_, 0.5 / std::max(attenuation_.constant, 1.0)); }
 
-double AirlightBound::flat_range() const { return 0.5 * std::min(width(), 0.5 / fog_.density); }
+double AirlightBound::flat_range() const { return 0.5 * std::min(width(), 0.5 / largest_density_); }
 
 double AirlightBound::k(double distance) const {
   // h^-3, as the airlight of a narrow lobe falls, has 15 times the fourth derivative of h^-1.
@@ -137,7 +140,7 @@ double AirlightBound::k(double distance) const {
 }
 
 double AirlightBound::weight(double seen, double lit) const {
-  return formulas::litfog_largest_fog_weight(double(fog_.mode), fog_.density, seen, lit);
+  return formulas::litfog_largest_fog_weight(double(fog_.mode), fog_.density, largest_density_, seen, lit);
 }
 
 }  // namespace litfog::render

@@ -11,9 +11,9 @@ namespace litfog::render {
 
 /// Upper bounds of a light's airlight, in the largest component of its colour; both legs lead through the fog. s is the
 /// distance from the eye, r that from the light, L from the eye to the light. litfog/shaders/airlight_bound.glsl bounds
-/// the fog's weight -f'(s) f(r) and the attenuation's integral. Along a ray the angle of scattering rises from the angle
-/// between the ray and the vector to the light, so that a ray which passes the light at a distance h has the phase
-/// function of asin(h / L) and of larger angles only, and beyond the light that of right angles and larger ones.
+/// the fog's weight -f'(s) f(r) and the attenuation's integral. Along a ray the angle of scattering rises from the
+/// angle between the ray and the vector to the light, so that a ray which passes the light at a distance h has the
+/// phase function of asin(h / L) and of larger angles only, and beyond the light that of right angles and larger ones.
 class AirlightBound {
  public:
   static constexpr double kFarthestReach = 1e9;  ///< metres, for lights without an end: floats hold its square
@@ -48,7 +48,7 @@ class AirlightBound {
   /// beyond the extent (shaders/airlight/far_peak.glsl), 0 where all do. Metres.
   double far_peak_reach(double budget) const;
 
-  double density() const { return fog_.density; }  ///< of the fog as the light's class sees it, 1/m
+  double density() const { return largest_density_; }  ///< of the thickest fog as the light's class sees it, 1/m
 
   /// Metres from the light within which its airlight is flat: half of the falloff's width, or less in dense fog.
   double flat_range() const;
@@ -69,7 +69,8 @@ class AirlightBound {
 
   Attenuation attenuation_;
   double extent_;
-  Fog fog_;
+  Fog fog_;  // the thinnest, as the light's class sees it
+  double largest_density_;
   Phase phase_;
   bool is_isotropic_;
   std::array<double, kAngles + 1> phase_integrals_;  // from each angle of a geometric series to pi

@@ -52,7 +52,8 @@ double find_bend_range(const AirlightBound& bound, double narrowing, double pixe
   double range = step;
   for (int i = 0; i < 16; ++i) {
     const double k = narrowing * bound.k(range);
-    const double missed = kMissed * k * std::pow(step * (1 + bound.density() * range), 4) * display_slope(k / range, gain);
+    const double missed =
+        kMissed * k * std::pow(step * (1 + bound.density() * range), 4) * display_slope(k / range, gain);
     range = std::pow(missed / kMaxError, 0.2);
   }
   return range / std::pow(double(kCoarsestGrid), 0.8);
@@ -80,8 +81,7 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
     if (!(reach > 0)) continue;
     const double pixel = eye_range / pixels_per_radian;
     const SeenBeam beam = see_beam(placed, (eye - placed.position) / eye_range);
-    const double bend_range =
-        std::min(find_bend_range(bound, beam.narrowing, pixel, gain), reach);
+    const double bend_range = std::min(find_bend_range(bound, beam.narrowing, pixel, gain), reach);
     const double most_bend_range = eye_range / 2;
     // Across its apex, a beam's airlight jumps, unless it is seen along its axis. Up to a range a thin one is thinner
     // than a few texels of a grid, too. Grids keep next to nothing of it there.

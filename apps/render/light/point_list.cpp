@@ -13,7 +13,7 @@ namespace litfog::render {
 namespace {
 
 /// Upper bound of what a light's point adds to a pixel.
-double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, FogLighting fog_lighting,
+double largest_point(const SceneLights& lights, std::size_t i, const Atmosphere& atmosphere, FogLighting fog_lighting,
                      const PointView& view) {
   const PlacedLight& placed = lights.lights()[i];
   const Light& light = placed.light;
@@ -21,6 +21,7 @@ double largest_point(const SceneLights& lights, std::size_t i, const Fog& fog, F
   const double range = glm::length(to_eye);
   if (!(range > 0)) return 0;
   const double cone = lights.cookie(i) ? 1 : cone_at(light.cone, glm::dot(to_eye, placed.direction) / range);
+  const Fog fog = atmosphere.fog_between(placed.position.y, view.eye.y);
   const double through = fog_factor_at(scaled(fog, light.density_scale), range);
   const double arriving = attenuation_at(light.attenuation, range) * cone * through;
   if (fog_lighting == FogLighting::airlight) {
@@ -53,8 +54,8 @@ double point_size(FogLighting fog_lighting, double source_radius, double range, 
 
 }  // namespace
 
-PointList list_points(const SceneLights& lights, const Fog& fog, FogLighting fog_lighting, const PointView& view,
-                      double budget) {
+PointList list_points(const SceneLights& lights, const Atmosphere& atmosphere, FogLighting fog_lighting,
+                      const PointView& view, double budget) {
   constexpr float kMargin = 1;  // metres, more than a point is ever moved towards the eye
   struct Point {
     std::int32_t light;
@@ -70,7 +71,7 @@ PointList list_points(const SceneLights& lights, const Fog& fog, FogLighting fog
       ++list.outside_view;
       continue;
     }
-    const double largest = largest_point(lights, i, fog, fog_lighting, view);
+    const double largest = largest_point(lights, i, atmosphere, fog_lighting, view);
     points.push_back({std::int32_t(i), largest});
     if (largest > 0) octaves.add(largest);
   }

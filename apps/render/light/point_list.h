@@ -5,7 +5,7 @@
 #include <glm/glm.hpp>
 #include <vector>
 
-#include "litfog/fog.h"
+#include "litfog/atmosphere.h"
 #include "render/light/scene_lights.h"
 #include "render/plan/frustum.h"
 
@@ -49,7 +49,7 @@ struct PointView {
 /// brightness.
 ///
 /// budget  linear light
-PointList list_points(const SceneLights& lights, const Fog& fog, FogLighting fog_lighting, const PointView& view,
-                      double budget);
+PointList list_points(const SceneLights& lights, const Atmosphere& atmosphere, FogLighting fog_lighting,
+                      const PointView& view, double budget);
 
 }  // namespace litfog::render

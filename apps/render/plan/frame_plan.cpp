@@ -45,6 +45,7 @@ FramePlanner::FramePlanner(const scene::Scene& scene, const SceneLights& lights,
 void FramePlanner::set_atmosphere(const Atmosphere& atmosphere, bool is_fog_lit,
                                   std::span<const std::int32_t> shaft_casters) {
   atmosphere_ = atmosphere;
+  thinnest_fog_ = atmosphere.thinnest_fog();
   is_fog_lit_ = is_fog_lit;
   shaft_casters_ = shaft_casters;
   fog_states_.resize(surfaces_.surfaces().size());
@@ -112,13 +113,13 @@ double FramePlanner::hidden_range_of(std::size_t index) {
     const PlacedLight& placed = lights_.lights()[light];
     const double strength =
         surface.material->reflectance * largest_component(placed.light.color) *
-        largest_irradiance(placed.light, placed.position, surfaces_.range_of(lights_.extents()[light]), atmosphere_.fog,
+        largest_irradiance(placed.light, placed.position, surfaces_.range_of(lights_.extents()[light]), thinnest_fog_,
                            settings_.fog_lighting, *settings_.path, surface.bounds);
     strengths_[std::size_t(surface.list_first) + i] = float(strength);
     brightness += strength;
   }
   const double fog = largest_component(atmosphere_.ambient_fog_color);
-  state = {fog_number_, float(hidden_range(atmosphere_.fog, brightness + fog, kHiddenShare * step_))};
+  state = {fog_number_, float(hidden_range(thinnest_fog_, brightness + fog, kHiddenShare * step_))};
   return double(state.hidden_range);
 }
 
@@ -195,7 +196,7 @@ void FramePlanner::plan_everything() {
 void FramePlanner::plan_visible(const FrameView& view) {
   FrameCounts& counts = plan_.counts;
   const Frustum frustum = make_frustum(view.clip_from_world);
-  const PointList points = list_points(lights_, atmosphere_.fog, settings_.fog_lighting,
+  const PointList points = list_points(lights_, atmosphere_, settings_.fog_lighting,
                                        {.eye = view.camera.position,
                                         .forward = axes_of(view.camera).forward,
                                         .frustum = frustum,
@@ -205,9 +206,9 @@ void FramePlanner::plan_visible(const FrameView& view) {
                                        kPointShare * step_);
   add_points(points);
 
-  const double fog_above_eye = atmosphere_.top - scene_.camera.position.y;
+  const double fog_above_eye = atmosphere_.top_above(view.camera.position.y);
   const double fog_color = largest_component(atmosphere_.ambient_fog_color);
-  const double sky_range = hidden_range(atmosphere_.fog, sky_brightness() + fog_color, kHiddenShare * step_);
+  const double sky_range = hidden_range(thinnest_fog_, sky_brightness() + fog_color, kHiddenShare * step_);
   if (view.highest_slope <= slope_in_fog(fog_above_eye, sky_range)) {
     counts.sky = is_fog_lit_ ? SkyDrawing::fog : SkyDrawing::background;
   }
@@ -227,7 +228,7 @@ void FramePlanner::plan_visible(const FrameView& view) {
     const Surface& surface = surfaces_.surfaces()[each.surface];
     const bool has_mapped_fog = settings_.path->has_mapped_fog() && surface.is_fog_lit;
     if (!hides || has_mapped_fog || each.nearest < each.hidden_range) {
-      const double through = fog_factor_at(atmosphere_.fog, each.nearest);
+      const double through = fog_factor_at(thinnest_fog_, each.nearest);
       plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1));
       ++counts.chunks_drawn;
     } else if (each.nearest < left_out_from || can_be_lit_from(view.camera.position, surface, left_out_from) ||

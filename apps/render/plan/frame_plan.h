@@ -142,6 +142,7 @@ class FramePlanner {
   const SurfaceList& surfaces_;
   RenderSettings settings_;
   Atmosphere atmosphere_;
+  Fog thinnest_fog_;  // of the atmosphere, for bounds
   bool is_fog_lit_ = false;
   std::span<const std::int32_t> shaft_casters_;
   unsigned fog_number_ = 1;

@@ -34,9 +34,14 @@ LitfogLight surface_light(LitfogLight light) {
   return light;
 }
 
-// Fraction of a light that is left at a range from the lamp.
-float lamp_factor(LitfogLight light, float range) {
-  return is_lamp_leg_fogged ? litfog_lamp_factor(light, range) : 1.0;
+// Fraction of a light that is left at a height at a range from the lamp.
+float lamp_factor(LitfogLight light, float height, float range) {
+  return is_lamp_leg_fogged ? litfog_lamp_factor(light, height, range) : 1.0;
+}
+
+// Opacity of the fog before a position.
+float opacity_before(vec3 position) {
+  return litfog_fog_opacity(position.y, eye.y, distance(position, eye), 1.0);
 }
 
 // Light from the vertices, not below 0. At the centre of a pixel that a triangle only partly covers it is extrapolated.
@@ -45,7 +50,7 @@ vec3 vertex_light(vec3 interpolated) { return max(interpolated, vec3(0.0)); }
 // A pass's light from the surface as the eye sees it. The first pass also adds the fog's own light.
 vec4 seen_by_eye(vec3 lit, vec3 position) {
   if (is_first_pass) return vec4(litfog_apply_fog(lit, position, eye), 1.0);
-  return vec4(lit * (1.0 - litfog_fog_opacity(distance(position, eye), 1.0)), 1.0);
+  return vec4(lit * (1.0 - opacity_before(position)), 1.0);
 }
 
 // Ambient and directional light for a shading value d . n, which may be extrapolated beyond the edge of a triangle.

@@ -24,9 +24,10 @@ void main() {
   vec3 to_eye = eye - light.position_extent.xyz;
   float range = length(to_eye);
   to_eye /= range;
+  float opacity = litfog_fog_opacity(light.position_extent.y, eye.y, range, light.attenuation.w);
   vec3 arriving = light.color_intensity.rgb *
                   (litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z) *
-                   litfog_cone(light, to_eye) * (1.0 - litfog_fog_opacity(range, light.attenuation.w)));
+                   litfog_cone(light, to_eye) * (1.0 - opacity));
   vec4 lifted = clip_from_world * vec4(light.position_extent.xyz + to_eye * lift(range), 1.0);
   // Of a pixel there: it falls with the cube of the cosine from the picture's middle.
   float cosine = lifted.w / (range - lift(range));

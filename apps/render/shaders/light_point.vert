@@ -30,7 +30,7 @@ void main() {
   float range = length(to_eye);
   to_eye /= range;
   float attenuation = litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
-  float through = 1.0 - litfog_fog_opacity(range, light.attenuation.w);
+  float through = 1.0 - litfog_fog_opacity(light.position_extent.y, eye.y, range, light.attenuation.w);
   float sent = attenuation * litfog_cone(light, to_eye);
   float brightness = sent * through / full_brightness;
   // Beyond full brightness a point grows instead; below, it fades. Fog dims a point's glare, but does not shrink it.

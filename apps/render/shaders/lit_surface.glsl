@@ -7,5 +7,6 @@
 
 vec3 lit_by(LitfogSurface surface, LitfogLight light) {
   vec4 ray = litfog_ray(light.position_extent.xyz, surface.position);
-  return litfog_reflect(surface, -ray.xyz, litfog_light_along(surface_light(light), ray) * lamp_factor(light, ray.w));
+  float through = lamp_factor(light, surface.position.y, ray.w);
+  return litfog_reflect(surface, -ray.xyz, litfog_light_along(surface_light(light), ray) * through);
 }

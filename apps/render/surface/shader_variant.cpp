@@ -39,9 +39,11 @@ std::string pass_constants(const ShaderVariant& variant) {
       "const bool has_listed_fog_lights = {};\n"
       "const bool is_first_pass = {};\n"
       "#define EACH_LIGHT(DO){}\n"
-      "#define EACH_FOG_LIGHT(DO){}\n",
+      "#define EACH_FOG_LIGHT(DO){}\n"
+      "{}",
       std::max<std::size_t>(lights, 1), first_light, lights_in_pass, variant.has_listed_lights,
-      variant.has_listed_fog_lights, variant.is_first, unrolled(lights_in_pass), unrolled(variant.fog_light_count));
+      variant.has_listed_fog_lights, variant.is_first, unrolled(lights_in_pass), unrolled(variant.fog_light_count),
+      variant.is_fog_layered ? "" : "#define LITFOG_UNIFORM_FOG\n");
 }
 
 std::string material_constants(const MaterialFeatures& material) {

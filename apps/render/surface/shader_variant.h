@@ -43,6 +43,7 @@ struct ShaderVariant {
   std::size_t light_count = 0;      ///< the others
   bool shares_lights = false;       ///< the surface is lit by the fog's lights, too
   bool tests_depth_late = false;    ///< shaders/depth_test.glsl
+  bool is_fog_layered = false;
 
   auto operator<=>(const ShaderVariant&) const = default;
 };

@@ -5,11 +5,12 @@
 // which adds up litfog_light_fog() over lights of its own choice, in the block or elsewhere.
 //
 // A program for fog of one mode may define LITFOG_FOG_MODE, 0.0 (exp) or 1.0 (exp2), before the first include of
-// litfog; compilers then leave the other out.
+// litfog; compilers then leave the other out. One for fog without layers may define LITFOG_UNIFORM_FOG likewise.
 
 #ifndef LITFOG_FOG_GLSL
 #define LITFOG_FOG_GLSL
 
+#include "litfog/shaders/density_profile.glsl"
 #include "litfog/shaders/light_block.glsl"
 
 // As litfog_is_exp() takes it.
@@ -19,17 +20,32 @@ float litfog_fog_mode() { return LITFOG_FOG_MODE; }
 float litfog_fog_mode() { return litfog_fog.y; }
 #endif
 
-// Opacity 1 - f of the fog over a range. density_scale is a light's for the fog that its class sees, 1 for surfaces.
-float litfog_fog_opacity(float range, float density_scale) {
-  float density = min(litfog_fog.x * density_scale, 3.4e38);  // finite, because infinity gives NaN at range 0
+int litfog_knot_count() { return int(litfog_ambient_fog_color.w); }
+float litfog_knot_height(int knot) { return litfog_density_knots[knot].x; }
+float litfog_knot_density(int knot) { return litfog_density_knots[knot].y; }
+
+// Density of the fog, 1/m: its mean along a straight line between two heights.
+float litfog_fog_density(float height_a, float height_b) {
+#ifdef LITFOG_UNIFORM_FOG
+  return litfog_fog.x;
+#else
+  return litfog_fog.x + litfog_mean_density(height_a, height_b);
+#endif
+}
+
+// Opacity 1 - f of the fog over a range between two heights. density_scale is a light's for the fog that its class
+// sees, 1 for surfaces.
+float litfog_fog_opacity(float height_a, float height_b, float range, float density_scale) {
+  // Finite, because infinity gives NaN at range 0.
+  float density = min(litfog_fog_density(height_a, height_b) * density_scale, 3.4e38);
   return litfog_opacity(litfog_is_exp(litfog_fog_mode()) ? litfog_depth_exp(range, density)
                                                          : litfog_depth_exp2(range, density));
 }
 
-// Fraction of a light that passes through the fog from the lamp to a range. For single scattering
+// Fraction of a light that passes through the fog from the lamp to a height at a range. For single scattering
 // (litfog/shaders/light_airlight.glsl) it dims the light that arrives at a surface.
-float litfog_lamp_factor(LitfogLight light, float range) {
-  return 1.0 - litfog_fog_opacity(range, light.attenuation.w);
+float litfog_lamp_factor(LitfogLight light, float height, float range) {
+  return 1.0 - litfog_fog_opacity(light.position_extent.y, height, range, light.attenuation.w);
 }
 
 // One light's part of a fragment's fog colour: colour * cone * fog colour intensity (Steven Hales 2004, "Realtime Pixel
@@ -56,7 +72,7 @@ vec3 litfog_fog_color(vec3 position) { return litfog_ambient_fog_color.rgb + lit
 
 // The fragment as the eye sees it: mix(fog, surface, f).
 vec3 litfog_apply_fog(vec3 color, vec3 position, vec3 eye) {
-  float opacity = litfog_fog_opacity(distance(position, eye), 1.0);
+  float opacity = litfog_fog_opacity(position.y, eye.y, distance(position, eye), 1.0);
   if (opacity <= 0.0) return color;
   return color + (litfog_fog_color(position) - color) * opacity;
 }

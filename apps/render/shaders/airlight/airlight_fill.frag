@@ -7,10 +7,12 @@
 
 #include "airlight/display_slope.glsl"
 #include "airlight/seen.glsl"
+#include "pixel_direction.glsl"
 
 uniform sampler2DRect grid;       // airlight; alpha: mean opacity of the fog before the surfaces that a texel sees
 uniform sampler2DRect grid_gain;  // derivative of airlight by that opacity
 uniform int pixel_step;       // pixels between the target's texels; the grid's are twice as far apart
+uniform vec3 eye;
 
 layout(location = 0) out vec4 airlight;  // alpha as in grid
 layout(location = 1) out vec4 gain;
@@ -138,7 +140,8 @@ void main() {
   ivec2 second_corner = corner + ivec2(1, 0);
   const ivec2 second_diagonal = ivec2(-1, 1);
   // Opacities of the pixel for which the fragment interpolates.
-  vec4 opacities = seen_opacities(seen_at((is_corner ? place + 1 : place) * pixel_step), 1.0);
+  ivec2 pixel = (is_corner ? place + 1 : place) * pixel_step;
+  vec4 opacities = seen_opacities(eye, pixel_direction(pixel), seen_at(pixel), 1.0);
   float opacity = mean_of(opacities);
   // Between two texels of the grid, or across both diagonals between four.
   Middle middle = middle_of(is_corner ? second_corner : corner, is_corner ? second_diagonal : part, opacity);

@@ -17,5 +17,5 @@ void main() {
   gain = vec4(0.0);
   if (fraction <= 0.0) return;  // no discard, which would end the early stencil test
   vec4 seen = seen_at(pixel);
-  add_light(int(entry.x), fraction, direction, seen, shown_exposure_at(seen));
+  add_light(int(entry.x), fraction, direction, seen, shown_exposure_at(direction, seen));
 }

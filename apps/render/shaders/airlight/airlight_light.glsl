@@ -45,13 +45,14 @@ float largest_phase(LitfogLight light, vec3 direction, float nearest, float fart
 vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
   vec3 position = eye + direction * range;
   vec4 ray = litfog_ray(light.position_extent.xyz, position);
-  float density = litfog_fog.x;
+  float density = litfog_fog_density(eye.y, position.y);
   float scale = light.attenuation.w;
   // -f' of the light's fog over that of the scene's. The more scattered light is lost, the less it matters.
   float weight = litfog_is_exp(litfog_fog_mode())
                      ? scale * exp(min((1.0 - scale) * density * range, 8.0))
                      : scale * scale * exp(min((1.0 - scale * scale) * pow(density * range, 2.0), 8.0));
-  vec3 lit = litfog_light_along(light, ray) * (litfog_airlight_unit() * litfog_lamp_factor(light, ray.w) * weight) *
+  float through = litfog_lamp_factor(light, position.y, ray.w);
+  vec3 lit = litfog_light_along(light, ray) * (litfog_airlight_unit() * through * weight) *
              lit_fraction_at(light_index, position);
   LitfogPhase phase = litfog_fog_phase();
   return litfog_is_isotropic(phase) ? lit : lit * litfog_phase(phase, 1.0 + dot(direction, ray.xyz));
@@ -80,9 +81,10 @@ float squared_passing_distance(vec3 position, vec3 direction) {
 
 // The exposure's gain, reduced where the fog shines by itself, because a display shows less of what a lamp adds there.
 // It is not reduced for cookies, whose fewer nodes would then err by up to a step where 16 lamps add up.
-float shown_exposure_at(vec4 seen) {
+float shown_exposure_at(vec3 direction, vec4 seen) {
   if (profile == LITFOG_PROFILE_COOKIE) return exposure_gain;
-  vec3 slope = display_slope(litfog_ambient_fog_color.rgb * litfog_fog_opacity(seen.x, 1.0));
+  float opacity = litfog_fog_opacity(eye.y, eye.y + direction.y * seen.x, seen.x, 1.0);
+  vec3 slope = display_slope(litfog_ambient_fog_color.rgb * opacity);
   return max(max(slope.r, slope.g), slope.b) / darkest_slope;
 }
 
@@ -92,7 +94,7 @@ float shown_exposure_at(vec4 seen) {
 void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float shown_exposure) {
   LitfogLight light = litfog_buffered_light(light_index);
   light.axis_profile.w = profile;
-  vec4 opacities = seen_opacities(seen, light.attenuation.w);
+  vec4 opacities = seen_opacities(eye, direction, seen, light.attenuation.w);
   light.color_intensity.rgb *= fraction;
   LitfogLight shown = light;  // decides the number of nodes: what adds little to the display needs few
   shown.color_intensity.rgb *= shown_exposure;

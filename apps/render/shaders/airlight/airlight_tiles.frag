@@ -25,7 +25,7 @@ void main() {
   ivec2 pixel = place * pixel_step;
   vec3 direction = pixel_direction(pixel);
   vec4 seen = seen_at(pixel);
-  float shown_exposure = shown_exposure_at(seen);
+  float shown_exposure = shown_exposure_at(direction, seen);
   ivec2 list = tile_list(pixel);
   airlight = vec4(0.0);
   gain = vec4(0.0);

@@ -3,10 +3,12 @@
 
 #include "airlight/airlight_blocks.glsl"
 #include "airlight/seen.glsl"
+#include "pixel_direction.glsl"
 
 uniform sampler2DRect packed_airlight;
 uniform sampler2DRect packed_gain;
 uniform int pixel_step;  // pixels between texels
+uniform vec3 eye;
 
 layout(location = 0) out vec4 airlight;
 layout(location = 1) out vec4 gain;
@@ -23,7 +25,8 @@ void main() {
     index += count_bits(marks[word] & mask);
   }
   ivec2 place = block * block_stride * block_size + morton_position(index);
-  float opacity = mean_of(seen_opacities(seen_at(here * pixel_step), 1.0));
+  ivec2 pixel = here * pixel_step;
+  float opacity = mean_of(seen_opacities(eye, pixel_direction(pixel), seen_at(pixel), 1.0));
   airlight = vec4(texel_at(packed_airlight, place).rgb, opacity);
   gain = texel_at(packed_gain, place);
 }

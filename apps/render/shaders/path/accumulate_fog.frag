@@ -6,6 +6,5 @@
 
 void main() {
   vec3 position = fragment_position();
-  float opacity = litfog_fog_opacity(distance(position, eye), 1.0);
-  color = vec4(litfog_apply_fog(emissive, position, eye), 1.0 - opacity);
+  color = vec4(litfog_apply_fog(emissive, position, eye), 1.0 - opacity_before(position));
 }

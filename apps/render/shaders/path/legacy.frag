@@ -7,6 +7,6 @@
 in vec3 light;
 
 void main() {
-  float opacity = litfog_fog_opacity(distance(fragment_position(), eye), 1.0);
+  float opacity = opacity_before(fragment_position());
   color = vec4(mix(emissive + vertex_light(light) * base_texture().rgb, litfog_ambient_fog_color.rgb, opacity), 1.0);
 }

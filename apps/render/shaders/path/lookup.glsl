@@ -39,10 +39,10 @@ void main() {
     float ra = range_attenuation(range_coordinate(i));
     float aa = texture(cone_map, cone_coordinate(i)).r;
     light += ra * aa * (light_ambient + max(dot(ray.xyz, n), 0.0)) * color_intensity.rgb *
-             lamp_factor(batch_light(i), ray.w) * lamp_shadow(i);
+             lamp_factor(batch_light(i), fragment_position().y, ray.w) * lamp_shadow(i);
     fog += aa * color_intensity.rgb * color_intensity.w;
   }
   vec3 lit = light * base_texture().rgb;
   if (is_first_pass) lit += emissive;
-  color = vec4(mix(lit, fog, litfog_fog_opacity(distance(fragment_position(), eye), 1.0)), 1.0);
+  color = vec4(mix(lit, fog, opacity_before(fragment_position())), 1.0);
 }

@@ -22,5 +22,5 @@ vec3 radial_light(int i) {
   float texture1 = texture(distance_map, map_coordinate(str.z, textureSize(distance_map, 0))).r;
   float intensity = max(1.0 - (texture0 + texture1), 0.0);
   return batch_light(i).color_intensity.rgb * intensity * texture(cone_map, cone_coordinate(i)).r *
-         lamp_factor(batch_light(i), length(vector_from_light(i))) * lamp_shadow(i);
+         lamp_factor(batch_light(i), fragment_position().y, length(vector_from_light(i))) * lamp_shadow(i);
 }

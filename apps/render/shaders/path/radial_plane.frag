@@ -34,7 +34,8 @@ void main() {
     float intensity = max(1.0 - (texture0 + square_distance[i]), 0.0);
     float aa = texture(cone_map, cone_coordinates[i] + cone_from_world[i] * back).r;
     light += batch_light(i).color_intensity.rgb * intensity * aa *
-             lamp_factor(batch_light(i), distance(batch_light(i).position_extent.xyz, fragment_position())) *
+             lamp_factor(batch_light(i), fragment_position().y,
+                         distance(batch_light(i).position_extent.xyz, fragment_position())) *
              lamp_shadow(i);
   }
   if (is_first_pass) light += directional_light(directional_shade);

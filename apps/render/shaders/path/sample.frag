@@ -46,5 +46,5 @@ void main() {
   vec3 before_fog = saturate(acc);       // MUL_SAT output, acc, icol
   vec3 fog = lcol * (aa * fog_intensity);  // "light color * angle attenuation * fog color intensity"
   if (is_first_pass) fog += litfog_ambient_fog_color.rgb;
-  color = vec4(mix(before_fog, fog, litfog_fog_opacity(distance(fragment_position(), eye), 1.0)), 1.0);
+  color = vec4(mix(before_fog, fog, opacity_before(fragment_position())), 1.0);
 }
