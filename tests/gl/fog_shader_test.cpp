@@ -75,7 +75,11 @@ TEST_F(FogShader, OpacityOfLayeredFogIsThatOfTheMeanDensityAlongTheWay) {
   });
   const auto results = draw(
       "vec4 p = given(0);"
-      "result = vec4(litfog_fog_density(p.x, p.y), litfog_fog_opacity(p.x, p.y, p.z, p.w), 0.0, 0.0);",
+      "LitfogLight light;"
+      "light.position_extent.y = p.y;"
+      "light.attenuation.w = p.w;"
+      "result = vec4(litfog_fog_density(p.x, p.y), litfog_fog_opacity(p.x, p.y, p.z, p.w), "
+      "litfog_lamp_factor(light, p.x, p.z), 0.0);",
       {points});
   WorstError density_error("litfog_fog_density, GL", "5 knots, rises 0..300 m", 1e-5, "relative");
   WorstError opacity_error("litfog_fog_opacity, GL", "5 knots, rises 0..300 m", 1e-5, "absolute");
@@ -84,6 +88,7 @@ TEST_F(FogShader, OpacityOfLayeredFogIsThatOfTheMeanDensityAlongTheWay) {
     const Fog fog = air.fog_between(double(p.x), double(p.y));
     const auto text = [&] { return describe(p); };
     density_error.add(relative_error(results[i].x, fog.density), text);
+    opacity_error.add(std::abs(double(results[i].z) - fog_factor_at(scaled(fog, double(p.w)), double(p.z))), text);
     opacity_error.add(std::abs(double(results[i].y) - opacity_at(scaled(fog, double(p.w)), double(p.z))), text);
   }
   density_error.check();

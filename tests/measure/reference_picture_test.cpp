@@ -110,6 +110,46 @@ TEST_F(ReferencePictureTest, FloorUnderALampIsTheModelInClosedForm) {
   EXPECT_GT(lit, 1000);
 }
 
+// The floor behind a layer, with the eye above, within, on the edge of and below its ramp; and the sky above the floor.
+TEST_F(ReferencePictureTest, FloorAndSkyBehindLayersAreDimmedByTheirDepth) {
+  Scene scene = flat_floor();
+  scene.environment.sky_zenith = scene.environment.sky_horizon = {0.7f, 0.6f, 0.5f};
+  const auto layers = [](double base, double top) {
+    const FogLayer layer{.base = base, .top = top, .transition = 1.5, .visibility = 12};
+    return make_density_profile(std::span(&layer, 1));
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  for (const DensityProfile& profile : {layers(-kInfinity, 2), layers(-kInfinity, 4.5), layers(-kInfinity, 5),
+                                        layers(-kInfinity, 30), layers(6.5, 9), layers(20, 40)}) {
+    const Atmosphere air{.ambient_fog_color = scene.atmosphere.ambient_fog_color, .profile = profile};
+    for (const glm::dvec3 target : {glm::dvec3{0, 0, 1}, glm::dvec3{0, 5, 1}, glm::dvec3{0, 9, 1}}) {
+      scene.camera.target = target;
+      Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = FogLighting::peak, .samples = 1});
+      renderer.set_atmosphere(air);
+      renderer.draw();
+      const Picture drawn = renderer.read();
+      const ReferencePicture reference = shade_reference(renderer);
+      const glm::dvec3 eye = scene.camera.position;
+      for (int y = 0; y < kHeight; ++y) {
+        for (int x = 0; x < kWidth; ++x) {
+          const glm::dvec3 view = view_direction(scene.camera, kWidth, kHeight, x + 0.5, y + 0.5);
+          const glm::dvec3 position = eye - view * (eye.y / view.y);
+          const bool is_sky = view.y > 0.01;
+          if (!is_sky && !(view.y < 0 && std::abs(position.x) < 19 && std::abs(position.z) < 19)) continue;
+          const double depth = is_sky ? optical_depth_to_sky(profile, eye.y, view.y)
+                                      : air.fog_between(position.y, eye.y).density * glm::distance(position, eye);
+          const glm::dvec3 surface =
+              is_sky ? glm::dvec3(scene.environment.sky_zenith)
+                     : glm::dvec3(scene.environment.ambient_light) * glm::dvec3(1, 0, 1) + glm::dvec3(0, 0.01f, 0);
+          const glm::dvec3 expected = glm::mix(air.ambient_fog_color, surface, std::exp(-depth));
+          ASSERT_LT(glm::distance(pixel(reference.picture, x, y), expected), 3e-4) << x << ", " << y;
+          ASSERT_LT(glm::distance(pixel(drawn, x, y), expected), 1e-3) << x << ", " << y;  // half floats
+        }
+      }
+    }
+  }
+}
+
 TEST_F(ReferencePictureTest, ReferenceIsTheSameWhereNoThreadCanStart) {
   const Scene scene = flat_floor();
   Renderer renderer(scene, kWidth, kHeight, {});

@@ -84,7 +84,8 @@ class SolveTest(unittest.TestCase):
     def test_values_are_read_back_from_repr_and_pickle(self):
         light = litfog.Light("a", (1, 0.5, 0), litfog.Attenuation(0.5, 0.1, 2), 0.1, litfog.Cone.cosine(0.3, 7), 0.4)
         placed = litfog.PlacedLight(light, (1, 2, 3), (1, 0, 0), True)
-        for value in (placed, litfog.Fog(litfog.FogMode.exp2, 0.25), litfog.Atmosphere(litfog.Fog(density=1), litfog.Phase.henyey_greenstein(0.5), top=7)):
+        for value in (placed, litfog.Fog(litfog.FogMode.exp2, 0.25), litfog.Atmosphere(litfog.Fog(density=1), litfog.Phase.henyey_greenstein(0.5), top=7),
+                      litfog.FogLayer(top=9, visibility=50), litfog.Atmosphere(profile=litfog.DensityProfile([(1, 0.5)]))):  # fmt: skip
             self.assertEqual(repr(eval(repr(value))), repr(value))
             self.assertEqual(repr(pickle.loads(pickle.dumps(value))), repr(value))
             self.assertEqual(repr(copy.deepcopy(value)), repr(value))
@@ -436,6 +437,28 @@ class RuleTest(unittest.TestCase):
         litfog.FogUpdater().add(litfog.PlacedLight(litfog.Light(cone=litfog.Cone.smoothstep(0.5, whole))))
         fitted = litfog.fit_cone(profile=litfog.ConeProfile.cosine, half_angle=half, beam_angle=1).best.cone
         self.assertEqual(fitted.half_angle, math.pi / 2)
+
+
+class LayersTest(unittest.TestCase):
+    def test_layers_make_a_profile_that_the_air_adds_to_its_fog(self):
+        ground = litfog.FogLayer(top=100, transition=20, visibility=300)
+        profile = litfog.DensityProfile.from_layers([ground])
+        dense = litfog.Fog.from_visibility(litfog.FogMode.exp, 300).density
+        self.assertEqual(list(profile.knots), [(100, dense), (120, 0)])
+        air = litfog.Atmosphere(litfog.Fog(density=0.001), profile=profile)
+        self.assertAlmostEqual(air.fog_between(100, 120).density, 0.001 + dense / 2, 15)
+        self.assertEqual(air.fog_between(500, 500), air.fog)
+        profile.knots = [(0, 1), (1, 0)]
+        self.assertEqual(profile, litfog.DensityProfile([(0, 1), (1, 0)]))
+
+    def test_wrong_layers_raise_field_value_and_rule(self):
+        with self.assertRaisesRegex(ValueError, "^top = 3: must be above the base$"):
+            litfog.DensityProfile.from_layers([litfog.FogLayer(base=4, top=3, visibility=10)])
+        with self.assertRaisesRegex(ValueError, r"^profile\.knots\[1\]\.height = 1: must be above the knot before$"):
+            litfog.DensityProfile([(1, 0), (1, 1)])
+        air = litfog.Atmosphere(litfog.Fog(litfog.FogMode.exp2), profile=litfog.DensityProfile([(1, 0)]))
+        with self.assertRaisesRegex(ValueError, "^profile.count = 1: must be 0 in exp2 fog$"):
+            air.fog_between(0, 1)
 
 
 class AirlightTest(unittest.TestCase):

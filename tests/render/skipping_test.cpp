@@ -35,10 +35,11 @@ class Pair {
       : skipping_(scene, width, height, with(settings, Skipping::on)),
         whole_(scene, width, height, with(settings, Skipping::off)) {}
 
-  void set_fog(const Fog& fog) {
-    skipping_.set_atmosphere(skipping_.scene().atmosphere.with(fog));
-    whole_.set_atmosphere(whole_.scene().atmosphere.with(fog));
+  void set_atmosphere(const Atmosphere& air) {
+    skipping_.set_atmosphere(air);
+    whole_.set_atmosphere(air);
   }
+  void set_fog(const Fog& fog) { set_atmosphere(skipping_.scene().atmosphere.with(fog)); }
   void set_exposure(double ev) {
     skipping_.set_exposure({.ev = ev});
     exposure_ = ev;
@@ -156,6 +157,23 @@ TEST_F(SkippingTest, NoPixelOfAnyPathOrProgramChangesByAStep) {
       pair.set_fog(Fog::from_visibility(FogMode::exp, 25));
       EXPECT_LE(largest(pair.changes()), 1) << path.name;
       EXPECT_EQ(pair.counts.chunks_as_fog + pair.counts.lights_hidden > 0, path.has_light_bound) << path.name;
+    }
+  }
+}
+
+TEST_F(SkippingTest, NoPixelChangesByAStepInLayersAboveAroundAndBelowTheEye) {
+  Scene scene = road();
+  for (const FogLighting lighting : {FogLighting::airlight, FogLighting::peak}) {
+    Pair pair(scene, {.fog_lighting = lighting});
+    for (const double haze : {0.0, 0.01}) {
+      for (const FogLayer& layer : {FogLayer{.top = 1, .transition = 0.5, .visibility = 15},
+                                    FogLayer{.top = 2, .transition = 1, .visibility = 15},
+                                    FogLayer{.top = 40, .visibility = 30}, FogLayer{.base = 3, .visibility = 5}}) {
+        Atmosphere air = scene.atmosphere.with({FogMode::exp, haze});
+        air.profile = make_density_profile(std::span(&layer, 1));
+        pair.set_atmosphere(air);
+        EXPECT_LE(largest(pair.changes()), 1) << haze << ", " << layer.base << " to " << layer.top;
+      }
     }
   }
 }
