@@ -32,14 +32,15 @@ def atmosphere(version, order, visibility):
     return struct.pack(order + "HHBBH", 32, 9, 0x80 | 30, 0, 0) + fields  # size, id, enabled and humidity, reserved
 
 
-def weather(version, order, layer, scope, enabled, visibility):
+def weather(version, order, layer, scope, enabled, visibility, base=0, thickness=200):
     # temperature, visibility, scud frequency, coverage, base, thickness, transition, wind (3), pressure, aerosol
-    fields = struct.pack(order + "12f", 15, visibility, 0, 100, 0, 200, 10, 0, 0, 0, 1013, 0)
+    fields = struct.pack(order + "12f", 15, visibility, 0, 100, base, thickness, 10, 0, 0, 0, 1013, 0)
     flags = bytes([layer, 30, int(enabled), scope])
     if version == 3:  # id, size, region
         return struct.pack(order + "BBH", 12, 56, 0) + flags + fields
     # size, id; region, reserved; top scud frequency, top transition, reserved
-    return struct.pack(order + "HH", 72, 11) + flags + struct.pack(order + "HH", 0, 0) + fields + bytes(12)
+    top = struct.pack(order + "fff", 0, 10, 0)
+    return struct.pack(order + "HH", 72, 11) + flags + struct.pack(order + "HH", 0, 0) + fields + top
 
 
 class ImageGenerator:
@@ -64,35 +65,38 @@ def density_of(visibility):
     return -math.log(0.05) / visibility
 
 
-# A visibility, ground fog over it, and clear again, in both versions and both byte orders.
-datagrams, densities = [], []
+# A visibility, layers with it, and clear again, in both versions and both byte orders. The eye is 3 m up.
+datagrams, seen = [], []  # seen: density at the eye and knots, or None where nothing changes
 for version in (3, 4):
     for order in "<>":
         start = lambda: ig_control(version, order, len(datagrams) + 0x01020300)
         ground = lambda *state: weather(version, order, *state)
         unknown = struct.pack("BB", 200, 8) if version == 3 else struct.pack(order + "HHH", 8, 0x2000, 0)
         unknown = unknown.ljust(8, b"\0")
-        for extra, visibility in (
-            (unknown + atmosphere(version, order, 1500), 1500),
-            (ground(0, 0, True, 200), 200),
+        for extra, expected in (
+            (unknown + atmosphere(version, order, 1500), (density_of(1500), 0)),
+            (ground(0, 0, True, 200), (density_of(1500) + density_of(200), 2)),
             (ground(4, 0, True, 10) + ground(0, 1, True, 10), None),  # rain, a region: not the fog of the scene
-            (atmosphere(version, order, 150), 150),  # denser than the ground fog
-            (ground(0, 0, False, 10) + atmosphere(version, order, math.inf), math.inf),
-            (atmosphere(version, order, 0), 0),
+            (atmosphere(version, order, 150), (density_of(150) + density_of(200), 2)),
+            (ground(1, 0, True, 50, 300, 100), (density_of(150) + density_of(200), 6)),  # a cloud above
+            (ground(2, 0, True, 50, 800, 100), None),  # one too many: the farther is left out
+            (ground(0, 0, True, 200, -20, 18), (density_of(150) + density_of(200) / 2, 6)),  # halfway out of it
+            (ground(0, 0, False, 10) + atmosphere(version, order, math.inf), (0, 8)),  # room for both clouds
+            (ground(1, 0, False, 0) + ground(2, 0, False, 0) + atmosphere(version, order, 0), (math.inf, 0)),
         ):
             datagrams.append(start() + extra)
-            densities.append(visibility)
+            seen.append(expected)
 ig = ImageGenerator(len(datagrams))
 for datagram in datagrams:
     ig.send(datagram)
 lines = ig.lines()
-expected = [(i, v) for i, v in enumerate(densities) if v is not None]
+expected = [(i, *v) for i, v in enumerate(seen) if v is not None]
 assert len(lines) == len(expected) + 1, lines
-for line, (i, visibility) in zip(lines, expected):
-    frame, version, density = re.match(r"frame (\d+), CIGI (\d): density (\S+)/m, \d+ bytes to upload$", line).groups()
+reported = r"frame (\d+), CIGI (\d): density (\S+)/m at the eye, (\d) knots, \d+ bytes of lights to upload$"
+for line, (i, wanted, knots) in zip(lines, expected):
+    frame, version, density, count = re.match(reported, line).groups()
     assert (int(frame), int(version)) == (0x01020300 + i, 3 if i < len(datagrams) / 2 else 4), line
-    wanted = math.inf if visibility == 0 else density_of(visibility)
-    assert math.isclose(float(density), wanted, rel_tol=1e-5), line
+    assert math.isclose(float(density), wanted, rel_tol=1e-5) and int(count) == knots, line
 assert lines[-1].startswith(f"{len(datagrams)} datagrams, 0 refused"), lines[-1]
 
 # What is wrong is refused by name, whole, and the fog before it stays.
@@ -113,6 +117,8 @@ refused = [
     (ig_control(3, "<", 1) + atmosphere(3, "<", math.nan), "visibility = nan: must be >= 0"),
     (ig_control(4, "<", 1) + atmosphere(4, "<", -1), "visibility = -1: must be >= 0"),
     (ig_control(4, "<", 1) + atmosphere(4, "<", 10) + atmosphere(4, "<", math.nan), "visibility = nan: must be >= 0"),
+    (ig_control(3, "<", 1) + weather(3, "<", 1, 0, True, 0), "layer 1: visibility = 0: must be > 0"),
+    (ig_control(4, ">", 1) + weather(4, ">", 2, 0, True, 9, 100, -1), "layer 2: top = 99: must be above the base"),
 ]
 ig = ImageGenerator(len(refused) + 2)
 for datagram in [good] + [d for d, _ in refused] + [good]:

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// An image generator (IG) that follows the visibility of a CIGI host, version 3.3 or 4.0, by UDP on loopback:
+// An image generator (IG) that follows the visibility and the layers of fog of a CIGI host, version 3.3 or 4.0, by UDP
+// on loopback:
 //
 //     cigi_ig PORT DATAGRAMS    takes that many datagrams and ends; port 0 is any free one, which it prints
 //     cigi_ig --demo            is its own host: 120 datagrams at 60 Hz, half of each version
@@ -22,9 +23,15 @@
 //   Atmosphere Control     id 10, size 32, f32 visibility @8       id 9, size 32, f32 visibility @12
 //   Weather Control        id 12, size 56, u8 layer @4,            id 11, size 72, u8 layer @4,
 //     layer 0: ground fog  bit 0 of @6: enabled,                   bit 0 of @6: enabled,
-//                          bits 0, 1 of @7: scope, 0 is global,    bits 0, 1 of @7: scope, 0 is global,
-//                          f32 visibility @12                      f32 visibility @16
+//     layers 1 to 3: cloud bits 0, 1 of @7: scope, 0 is global,    bits 0, 1 of @7: scope, 0 is global,
+//                          f32 visibility @12,                     f32 visibility @16,
+//                          f32 base @24, thickness @28,            f32 base @28, thickness @32,
+//                          transition band @32                     lower transition band @36, upper @64
+//
+// A layer's visibility is taken as that within it alone, so that densities add up; ground fog as fog without a base. A
+// layer has one width for both of its transition bands, the lower one's, or of ground fog the upper one's.
 #include <arpa/inet.h>
+#include <litfog/atmosphere.h>
 #include <litfog/updater.h>
 #include <netinet/in.h>
 #include <poll.h>
@@ -47,6 +54,7 @@
 #include <string>
 #include <system_error>
 #include <thread>
+#include <utility>
 #include <vector>
 
 namespace {
@@ -59,13 +67,20 @@ struct Packet {
   std::size_t visibility;  // its offset
 };
 
+/// Offsets of Weather Control.
+struct LayerOffsets {
+  std::size_t base, thickness, transition, top_transition;
+};
+
 struct Version {
   int major;
   Packet ig_control, atmosphere, weather;
+  LayerOffsets layer;
 };
 
-constexpr Version kVersion3{3, {1, 24, 0}, {10, 32, 8}, {12, 56, 12}};
-constexpr Version kVersion4{4, {0, 24, 0}, {9, 32, 12}, {11, 72, 16}};
+constexpr Version kVersion3{3, {1, 24, 0}, {10, 32, 8}, {12, 56, 12}, {24, 28, 32, 32}};
+constexpr Version kVersion4{4, {0, 24, 0}, {9, 32, 12}, {11, 72, 16}, {28, 32, 36, 64}};
+constexpr double kEyeHeight = 3;  // metres; a renderer has its camera's
 
 /// Numbers in a byte order.
 struct Order {
@@ -85,9 +100,27 @@ struct Order {
 /// The fogs of a host. CIGI does not say by which contrast it means its visibility; litfog's default is that of the
 /// meteorological optical range.
 struct Weather {
-  litfog::Fog atmosphere, ground;
+  litfog::Fog atmosphere;
+  std::array<litfog::FogLayer, 4> layers;  // ground fog, then clouds; the default is no fog
 
-  litfog::Fog densest() const { return atmosphere.density > ground.density ? atmosphere : ground; }
+  /// The air that it makes. Where its layers need more knots than a profile has, those farthest from the eye are left
+  /// out.
+  litfog::Atmosphere air() const {
+    const auto distance = [](const litfog::FogLayer& layer) {
+      return std::max({layer.base - kEyeHeight, kEyeHeight - layer.top, 0.});
+    };
+    std::array<litfog::FogLayer, 4> sorted = layers;
+    std::ranges::stable_sort(sorted, {}, distance);
+    litfog::Atmosphere air{.fog = atmosphere};
+    for (std::size_t count = sorted.size(); count > 0; --count) {
+      try {
+        air.profile = litfog::make_density_profile(std::span(sorted).first(count));
+        break;
+      } catch (const std::invalid_argument&) {  // too many knots, for each layer is valid
+      }
+    }
+    return air;
+  }
 };
 
 struct Frame {
@@ -127,8 +160,19 @@ Frame read_frame(Bytes datagram, Weather weather) {
     };
     if (is(version.ig_control) != is_first) refuse("IG Control not first and once");
     if (is(version.atmosphere)) frame.weather.atmosphere = fog_of(version.atmosphere);
-    if (is(version.weather) && rest[4] == 0 && (rest[7] & 3) == 0) {
-      frame.weather.ground = (rest[6] & 1) != 0 ? fog_of(version.weather) : litfog::Fog{};
+    if (is(version.weather) && rest[4] < frame.weather.layers.size() && (rest[7] & 3) == 0) {
+      const bool is_ground = rest[4] == 0;
+      const auto number = [&](std::size_t offset) { return double(order.read<float>(rest, offset)); };
+      litfog::FogLayer layer;
+      if ((rest[6] & 1) != 0) {
+        const double base = number(version.layer.base);
+        layer = {.base = is_ground ? layer.base : base,
+                 .top = base + number(version.layer.thickness),
+                 .transition = number(is_ground ? version.layer.top_transition : version.layer.transition),
+                 .visibility = number(version.weather.visibility)};
+      }
+      if (const auto error = find_error(layer)) refuse("layer " + std::to_string(rest[4]) + ": " + to_string(*error));
+      frame.weather.layers[rest[4]] = layer;
     }
     rest = rest.subspan(size);
   }
@@ -207,6 +251,7 @@ litfog::FogUpdater lights() {
 void follow(Socket& socket, int datagrams) {
   litfog::FogUpdater updater = lights();
   Weather weather;
+  litfog::Atmosphere air;
   std::vector<double> latencies;
   int refused = 0;
   for (int i = 0; i < datagrams; ++i) {
@@ -215,12 +260,14 @@ void follow(Socket& socket, int datagrams) {
     try {
       const Frame frame = read_frame(datagram, weather);
       weather = frame.weather;
-      const litfog::FogLightChanges changes = updater.set_fog(weather.densest());
+      const litfog::Atmosphere before = std::exchange(air, weather.air());
+      const litfog::Fog at_eye = air.fog_at(kEyeHeight);
+      updater.set_fog(at_eye);
       latencies.push_back(microseconds_since(received));
-      // Here a renderer uploads the changed ranges and draws.
-      if (!changes.empty()) {
-        std::printf("frame %u, CIGI %d: density %.6g/m, %zu bytes to upload\n", frame.number, frame.version,
-                    weather.densest().density, updater.statistics().bytes_dirty);
+      // Here a renderer uploads the changed ranges and the header of the air (pack_fog_header), and draws.
+      if (air != before) {
+        std::printf("frame %u, CIGI %d: density %.6g/m at the eye, %zu knots, %zu bytes of lights to upload\n",
+                    frame.number, frame.version, at_eye.density, air.profile.count, updater.statistics().bytes_dirty);
       }
     } catch (const std::invalid_argument& error) {
       ++refused;
