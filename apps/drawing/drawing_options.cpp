@@ -10,6 +10,7 @@
 #include "command/number.h"
 #include "command/runway_lights.h"
 #include "render/plan/lighting_path.h"
+#include "scene/file/fog_layers.h"
 
 namespace litfog::drawing {
 namespace {
@@ -50,6 +51,18 @@ void add_number(
   app.add_option_function<std::string>(name, parse, description)->type_name("NUMBER");
 }
 
+void add_layers(CLI::App& app, DrawingOptions& options) {
+  const auto take = [&options](const std::string& text) {
+    options.layers = text == "none" ? std::vector<FogLayer>() : scene::read_fog_layers(text);
+    options.layers_file = text;
+  };
+  app.add_option_function<std::string>(
+         "--layers", take,
+         "Layers of fog in place of the scene's, from a file that holds an array as a scene file's atmosphere.layers; "
+         "--visibility is then that outside them (default inf)")
+      ->type_name("FILE|none");
+}
+
 void add_phase(CLI::App& app, DrawingOptions& options) {
   const auto add_named = [&](const std::string& option, const char* type, const std::string& prefix,
                              const std::string& description) {
@@ -59,11 +72,12 @@ void add_phase(CLI::App& app, DrawingOptions& options) {
     };
     return app.add_option_function<std::string>(option, parse, description)->type_name(type);
   };
-  CLI::Option* const phase = add_named(
-      "--phase", "PHASE", "",
-      "With airlight: phase function of the fog, in place of the scene's: isotropic, hg:G (Henyey and Greenstein, G near "
-      "1 scatters straight ahead) or droplets:D (water droplets of 5 to 50 micrometres; default droplets:10 in exp fog, "
-      "isotropic in exp2)");
+  CLI::Option* const phase = add_named("--phase", "PHASE", "",
+                                       "With airlight: phase function of the fog, in place of the scene's: isotropic, "
+                                       "hg:G (Henyey and Greenstein, G near "
+                                       "1 scatters straight ahead) or droplets:D (water droplets of 5 to 50 "
+                                       "micrometres; default droplets:10 in exp fog, "
+                                       "isotropic in exp2)");
   add_named("--phase-g", "NUMBER", "hg:", "Short for --phase hg:NUMBER")->excludes(phase);
   add_number(app, "--albedo", options.albedo, kAlbedo,
              "With airlight: fraction of the light taken by the fog that it scatters, in place of the scene's");
@@ -91,7 +105,9 @@ const command::NumberRule kSeconds{[](double x) { return x >= 0 && x <= scene::k
 double DrawingOptions::visibility_in(const scene::Scene& scene) const {
   if (!fog) return std::numeric_limits<double>::infinity();
   if (runway_visual_range) return visibility_of_runway_visual_range(*runway_visual_range);
-  return visibility.value_or(scene::suggested_visibility(scene));
+  if (visibility) return *visibility;
+  const bool has_layers = layers && !layers->empty();
+  return has_layers ? std::numeric_limits<double>::infinity() : scene::suggested_visibility(scene);
 }
 
 double DrawingOptions::visibility_of_runway_visual_range(double metres) const {
@@ -117,6 +133,10 @@ Atmosphere DrawingOptions::atmosphere_of(const scene::Scene& scene, double metre
     air.phase = {};
   }
   if (albedo) air.albedo = *albedo;
+  air.profile = fog ? make_density_profile(layers.value_or(scene.layers), contrast) : DensityProfile{};
+  if (air.profile.count > 0 && fog_mode() == FogMode::exp2) {
+    command::fail_option("--fog", "exp2", "must be exp where the air has layers: --layers none draws it without");
+  }
   return air;
 }
 
@@ -124,6 +144,7 @@ void add_fog(CLI::App& app, DrawingOptions& options) {
   command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
                                               {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},
                                               "Law by which fog dims light over range (default exp)");
+  add_layers(app, options);
   add_phase(app, options);
 }
 
@@ -143,6 +164,7 @@ void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
                options.visibility.reset();
                command::expect_lamps_reach(*options.runway_visual_range, options.runway_lights);
              });
+  add_layers(app, options);
   add_phase(app, options);
 }
 
@@ -227,7 +249,7 @@ std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& opti
   const bool has_range = options.runway_visual_range.has_value();
   return {{"--fog none",
            !options.fog,
-           {"--visibility", "--contrast", "--rvr", "--phase", "--phase-g", "--albedo"},
+           {"--visibility", "--contrast", "--rvr", "--layers", "--phase", "--phase-g", "--albedo"},
            "the air is clear"},
           {"--rvr", has_range, {"--visibility", "--contrast"}, "lamps and threshold give its meaning"},
           {options.visibility ? "--visibility" : "the scene's visibility",
@@ -249,7 +271,10 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
   std::vector<command::OptionRule> rules = fog_and_shadow_rules(options);
   rules.insert(
       rules.end(),
-      {{options.fog_light ? "--fog-light peak" : name, is_peak, {"--phase", "--phase-g", "--albedo"}, "only airlight has it"},
+      {{options.fog_light ? "--fog-light peak" : name,
+        is_peak,
+        {"--phase", "--phase-g", "--albedo"},
+        "only airlight has it"},
        {name, path.maps == render::LightMapSet::none, {"--map-size", "--cone-maps"}, "it has no light maps"},
        {name, !is_hales_lookup(path), {"--flat-shading", "--light-ambient"}, "only lookup-3d and lookup-2d have it"},
        {name,

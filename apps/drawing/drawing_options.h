@@ -33,8 +33,10 @@ struct DrawingOptions {
   RunwayLights runway_lights = {};
   std::string phase = {};             ///< of the fog, as phase_named() takes it; default: the scenes' own
   std::optional<double> albedo = {};  ///< of the fog, [0, 1]; default: the scenes' own
-  double seconds = 0;                 ///< for which the scenes' lights have been turning and flashing
-  int width = 1280;                   ///< pixels
+  std::optional<std::vector<FogLayer>> layers = {};  ///< of the fog; default: the scenes' own
+  std::string layers_file = {};                      ///< that states them; "none" or empty: none does
+  double seconds = 0;                                ///< for which the scenes' lights have been turning and flashing
+  int width = 1280;                                  ///< pixels
   int height = 720;
   render::RenderSettings render = {};
   std::optional<render::FogLighting> fog_light = {};  ///< default: airlight along `unified`, peak along the others
@@ -42,7 +44,8 @@ struct DrawingOptions {
 
   friend bool operator==(const DrawingOptions&, const DrawingOptions&) = default;
 
-  /// Metres: the visibility that is asked for, else the one that the scene suggests; infinite in clear air.
+  /// Metres, outside layers: the visibility that is asked for, else infinite between layers that are, else the one that
+  /// the scene suggests; infinite in clear air.
   double visibility_in(const scene::Scene& scene) const;
   /// The visibility of a runway visual range, both in metres.
   double visibility_of_runway_visual_range(double metres) const;
@@ -53,14 +56,14 @@ struct DrawingOptions {
   FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
   /// The fog of a visibility in metres.
   Fog fog_at(double metres) const { return Fog::from_visibility(fog_mode(), metres, contrast); }
-  /// A scene's atmosphere at a visibility, with the phase function and albedo that are asked for. exp2 fog, which no
-  /// droplets make, is isotropic unless asked otherwise.
+  /// A scene's atmosphere at a visibility, with the layers, phase function and albedo that are asked for. exp2 fog,
+  /// which no droplets make, is isotropic unless asked otherwise. Throws the usage error of layers in exp2 fog.
   Atmosphere atmosphere_of(const scene::Scene& scene, double metres) const;
 };
 
-/// --fog, for a job that draws clear air anyway, --phase and --albedo.
+/// --fog, for a job that draws clear air anyway, --layers, --phase and --albedo.
 void add_fog(CLI::App& app, DrawingOptions& options);
-/// --fog, which may be none, --visibility, --contrast, --rvr with its lamps, --phase and --albedo.
+/// --fog, which may be none, --visibility, --contrast, --rvr with its lamps, --layers, --phase and --albedo.
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
 /// Whether a path is lookup-3d or lookup-2d, to which --flat-shading and --light-ambient belong.
 bool is_hales_lookup(const render::LightingPath& path);

@@ -34,6 +34,7 @@ def render(
     lamp_cd: _Real | None = None,
     background_cd_m2: _Real | None = None,
     threshold_lx: _Real | None = None,
+    layers: str | os.PathLike[str] | None = None,
     phase: str | None = None,
     phase_g: _Real | None = None,
     albedo: _Real | None = None,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <glm/glm.hpp>
 #include <glm/gtc/matrix_transform.hpp>
+#include <limits>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -101,8 +102,10 @@ struct Scene {
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
   bool is_lit_at_vertices = false;  ///< it shows what tessellation does: the gallery draws it by the path `vertex`
   SceneDisplay display = {};
-  double seconds = 0;     ///< its time, by which lights flash (lit_light)
-  /// Its fog is clear air: the visibility is chosen where the scene is drawn. What is there then is fog of droplets.
+  double seconds = 0;            ///< its time, by which lights flash (lit_light)
+  std::vector<FogLayer> layers;  ///< as its file states them
+  /// Its fog is clear air: the visibility outside the layers is chosen where the scene is drawn. What is there then is
+  /// fog of droplets. Its profile is that of the layers at the contrast kContrastMor.
   Atmosphere atmosphere = {.phase = Phase::droplets(kDroplets)};
   bool states_phase = false;  ///< whether its file states the phase function
 
@@ -112,8 +115,8 @@ struct Scene {
 /// Largest time: a cookie or light of ten turns a second is then still in place to a thousandth of a degree.
 inline constexpr double kMaxSeconds = 1e9;
 
-/// Makes of a scene as read, which is at time 0, the scene at a time: turns the spinning cookies and the turning lights by
-/// what they turn in `seconds`.
+/// Makes of a scene as read, which is at time 0, the scene at a time: turns the spinning cookies and the turning lights
+/// by what they turn in `seconds`.
 ///
 /// seconds  [0, kMaxSeconds]
 /// throws   std::invalid_argument naming the rule
@@ -134,9 +137,11 @@ inline PlacedLight lit_light(const Scene& scene, std::size_t light) {
   return lit;
 }
 
-/// The visibility at which a scene is drawn if none is given, metres: the middle one of its own, or 200.
+/// The visibility at which a scene is drawn if none is given, metres: the middle one of its own; without any, infinite
+/// between layers, or 200.
 inline double suggested_visibility(const Scene& scene) {
-  return scene.visibilities.empty() ? 200 : scene.visibilities[scene.visibilities.size() / 2];
+  if (!scene.visibilities.empty()) return scene.visibilities[scene.visibilities.size() / 2];
+  return scene.layers.empty() ? 200 : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace litfog::scene

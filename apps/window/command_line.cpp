@@ -50,6 +50,7 @@ std::string to_string(const DrawingCommand& command) {
   if (options.fog) {
     add(options.visibility.has_value(), "--visibility", fmt::format("{}", options.visibility.value_or(0)));
     add(options.contrast != usual.contrast, "--contrast", contrast_word(options.contrast));
+    add(!options.layers_file.empty(), "--layers", options.layers_file);
     const bool is_airlight = drawn.fog_lighting == render::FogLighting::airlight;
     add(is_airlight && !options.phase.empty(), "--phase", options.phase);
     add(is_airlight && options.albedo, "--albedo", fmt::format("{}", options.albedo.value_or(1)));

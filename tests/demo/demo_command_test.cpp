@@ -451,6 +451,23 @@ TEST_F(DemoCommand, PhaseAsymmetryIsANumberBetweenMinusOneAndOne) {
   EXPECT_EQ(run("compare room --phase-g 2").status, kUsage);
 }
 
+TEST_F(DemoCommand, LayersAreReadFromAFileOrLeftOut) {
+  write("layers.json", R"([{"top_m": 1, "visibility_m": 5}])");
+  write("wrong.json", R"([{"base_m": 2, "top_m": 1, "visibility_m": 5}])");
+  const std::string peak = "room --size 16x9 --fog-light peak ";
+  ASSERT_EQ(run(peak + "--layers layers.json -o low.exr").status, kDone);
+  ASSERT_EQ(run(peak + "--visibility inf --layers none -o clear.exr").status, kDone);
+  ASSERT_EQ(run(peak + "--visibility inf -o plain.exr").status, kDone);
+  EXPECT_NE(read("low.exr"), read("clear.exr"));
+  EXPECT_EQ(read("plain.exr"), read("clear.exr"));
+  EXPECT_ERROR(run("room --layers wrong.json"), kBadInput, "wrong.json:1:25: [0].top_m = 1: must be above the base");
+  EXPECT_ERROR(run("room --fog exp2 --layers layers.json"), kUsage,
+               "litfog-demo: --fog = exp2: must be exp where the air has layers: --layers none draws it without" +
+                   std::string(kSeeHelp));
+  EXPECT_EQ(run("room --fog none --layers layers.json").status, kUsage);
+  EXPECT_EQ(run("room --layers absent.json").status, kBadInput);
+}
+
 TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
   const Outcome outcome = run("gallery room -o pictures --size 64x36 --exposure 0");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;

@@ -156,6 +156,36 @@ TEST_F(SceneFile, FogHasNoTopAndNoAsymmetryWhereNoneIsStated) {
   EXPECT_EQ(read("\"fog_top_m\": 1e308, \"objects\": []").atmosphere.top, 1e308);
 }
 
+TEST_F(SceneFile, LayersAreReadAndChecked) {
+  const Scene plain = read("\"objects\": []");
+  EXPECT_EQ(plain.atmosphere.profile.count, 0u);
+  EXPECT_EQ(suggested_visibility(plain), 200);
+  const auto layers = [](const std::string& text) {
+    return "\"atmosphere\": {\"layers\": " + text + "}, \"objects\": []";
+  };
+  const Scene layered = read(layers(
+      R"([{"top_m": 60, "visibility_m": 150}, {"base_m": 200, "top_m": 300, "transition_m": 40, "visibility_m": 90}])"));
+  ASSERT_EQ(layered.layers.size(), 2u);
+  EXPECT_EQ(layered.layers[0], (FogLayer{.top = 60, .visibility = 150}));
+  EXPECT_EQ(layered.layers[1], (FogLayer{.base = 200, .top = 300, .transition = 40, .visibility = 90}));
+  EXPECT_EQ(layered.atmosphere.profile, make_density_profile(layered.layers));
+  EXPECT_EQ(suggested_visibility(layered), std::numeric_limits<double>::infinity());
+
+  EXPECT_EQ(error_of("\"atmosphere\": {\"layer\": []}, \"objects\": []").substr(0, 6), ":3:16:");
+  EXPECT_EQ(error_of(layers(R"([{"base_m": 9, "top_m": 9, "visibility_m": 90}])")),
+            ":3:50: atmosphere.layers[0].top_m = 9: must be above the base");
+  EXPECT_EQ(error_of(layers(R"([{"visibility_m": 0}])")), ":3:44: atmosphere.layers[0].visibility_m = 0: must be > 0");
+  EXPECT_EQ(error_of(layers(R"([{"top_m": 9, "transition_m": -1, "visibility_m": 5}])")),
+            ":3:56: atmosphere.layers[0].transition_m = -1: must be finite and >= 0");
+  EXPECT_NE(error_of(layers(R"([{"top_m": 9}])")).find("visibility_m"), std::string::npos);
+  std::string many;
+  for (int i = 0; i < 3; ++i) {
+    many += std::string(i > 0 ? "," : "") + "{\"base_m\": " + std::to_string(10 * i) +
+            ", \"top_m\": " + std::to_string(10 * i + 1) + ", \"visibility_m\": 9}";
+  }
+  EXPECT_EQ(error_of(layers("[" + many + "]")).substr(0, 6), ":3:26:");
+}
+
 TEST_F(SceneFile, DisplayIsReadAndChecked) {
   EXPECT_EQ(read("\"objects\": []").display, SceneDisplay{});
   EXPECT_EQ(read("\"display\": {\"exposure\": -3.5}, \"objects\": []").display, SceneDisplay{.exposure = -3.5});

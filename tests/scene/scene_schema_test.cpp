@@ -22,6 +22,8 @@ constexpr const char* kScene = R"({"litfog": "scene", "version": 1, "name": "a",
   "environment": {"ambient": [0.1, 0.1, 0.1], "fog_color": [0, 0, 0], "sky_zenith": [0, 0, 0],
                   "sky_horizon": [0, 0, 0], "stars": 1, "moon": {"direction": [0, -1, 0], "color": [1, 1, 1]}},
   "visibilities_m": [100, 50], "lit_at_vertices": true, "fog_top_m": 60,
+  "atmosphere": {"phase": "hg:0.5", "albedo": 0.9,
+                 "layers": [{"base_m": 90, "top_m": 120, "transition_m": 9, "visibility_m": 150}]},
   "display": {"exposure": "auto", "tone": "clip"}, "phase_g": 0.5,
   "lights": [{"light": {"attenuation": {"constant": 1}}, "position": [0, 3, 0], "aim": [0, 0, -5], "color": [1, 1, 1],
               "cookie": {"image": "spot.exr", "roll_deg": 9, "spin_deg_per_s": 9}, "turn_deg_per_s": 9, "carried": true,
@@ -39,7 +41,9 @@ constexpr std::array kRulesAcrossMembers{"must be a light file",
                                          "straight above or below",
                                          "must have a length",
                                          "must be in a scene with a vehicle",
-                                         "every copy's position"};
+                                         "every copy's position",
+                                         "must be above the base",
+                                         "must have at most 8 heights"};
 
 class SceneSchema : public testing::Test {
  protected:

@@ -27,6 +27,7 @@
 #include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
 #include "model/float_limit.h"
+#include "scene/file/fog_layers.h"
 #include "scene/file/gltf_scene.h"
 #include "scene/model/city.h"
 #include "scene/model/model_catalogue.h"
@@ -187,7 +188,7 @@ Phase read_phase(const JsonValue& value) {
 }
 
 void read_atmosphere(const JsonValue& value, Scene& scene) {
-  value.allow_only({"phase", "albedo"});
+  value.allow_only({"phase", "albedo", "layers"});
   Atmosphere& air = scene.atmosphere;
   if (const auto phase = value.optional("phase")) {
     air.phase = read_phase(*phase);
@@ -196,6 +197,10 @@ void read_atmosphere(const JsonValue& value, Scene& scene) {
   if (const auto albedo = value.optional("albedo")) {
     air.albedo = albedo->number();
     if (const auto error = find_error(air)) albedo->fail(error->rule);
+  }
+  if (const auto layers = value.optional("layers")) {
+    scene.layers = read_fog_layers(*layers);
+    air.profile = make_density_profile(scene.layers);
   }
 }
 
@@ -249,7 +254,8 @@ class SceneReader {
     }
     expect_header(root, "scene", 1);
     root.allow_only({"litfog", "version", "name", "description", "camera", "environment", "visibilities_m",
-                     "lit_at_vertices", "fog_top_m", "phase_g", "atmosphere", "display", "vehicle", "lights", "city", "objects"});
+                     "lit_at_vertices", "fog_top_m", "phase_g", "atmosphere", "display", "vehicle", "lights", "city",
+                     "objects"});
     read_name(root, std::filesystem::path(path).stem().string());
     if (const auto description = root.optional("description")) scene_.description = description->string();
     scene_.camera = read_camera(root.member("camera"));

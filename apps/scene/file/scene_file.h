@@ -35,8 +35,13 @@ namespace litfog::scene {
 ///       "atmosphere": {                                   optional: what the air is made of
 ///         "phase": "droplets:20",                         optional: the fog's phase function: isotropic, hg:G or
 ///                                                         droplets:D (kPhaseRule); default: droplets:10
-///         "albedo": 0.9},                                 optional: the fraction of the light taken that the fog
+///         "albedo": 0.9,                                  optional: the fraction of the light taken that the fog
 ///                                                         scatters, in [0, 1]; default: 1
+///         "layers": [                                     optional: layers of fog (fog_layers.h)
+///           {"base_m": 200, "top_m": 300,                 optional: without base or top
+///            "transition_m": 40,                          optional: height of the bands outside it in which its
+///                                                         density falls to 0; default: 0
+///            "visibility_m": 150}]},                      within it; visibilities_m are those outside the layers
 ///       "display": {"exposure": "auto",                   optional: how its pictures are shown: EV, default 0, or auto;
 ///         "tone": "neutral"},                             or clip, each channel cut at white
 ///       "vehicle": {"position": [0, 33, 356],             optional: to which lights are mounted
