@@ -124,7 +124,7 @@ void Renderer::set_atmosphere(const Atmosphere& atmosphere) {
   fog_bytes_ = sizeof(FogHeader) + entries_in(changes.kinds) * sizeof(FogLightKind) +
                entries_in(changes.instances) * sizeof(FogLightInstance);
   fog_block_.upload(header);
-  surfaces_.set_fog(atmosphere.profile.count > 0);
+  surfaces_.set_fog(atmosphere.profile.count);
   const bool has_shafts = settings_.shadows == Shadows::shafts;
   planner_.set_atmosphere(relative, !fog_lights(lights_, Skipping::on).empty(),
                           has_shafts ? shadows_->caster_of_lights() : std::span<const std::int32_t>());

@@ -40,10 +40,10 @@ std::string pass_constants(const ShaderVariant& variant) {
       "const bool is_first_pass = {};\n"
       "#define EACH_LIGHT(DO){}\n"
       "#define EACH_FOG_LIGHT(DO){}\n"
-      "{}",
+      "#define LITFOG_KNOT_COUNT {}\n",
       std::max<std::size_t>(lights, 1), first_light, lights_in_pass, variant.has_listed_lights,
       variant.has_listed_fog_lights, variant.is_first, unrolled(lights_in_pass), unrolled(variant.fog_light_count),
-      variant.is_fog_layered ? "" : "#define LITFOG_UNIFORM_FOG\n");
+      variant.knot_count);
 }
 
 std::string material_constants(const MaterialFeatures& material) {

@@ -43,7 +43,7 @@ struct ShaderVariant {
   std::size_t light_count = 0;      ///< the others
   bool shares_lights = false;       ///< the surface is lit by the fog's lights, too
   bool tests_depth_late = false;    ///< shaders/depth_test.glsl
-  bool is_fog_layered = false;
+  std::size_t knot_count = 0;       ///< of the density profile
 
   auto operator<=>(const ShaderVariant&) const = default;
 };

@@ -132,9 +132,9 @@ void SurfacePainter::set_lights() {
   maps_ = LightMapStore(scene_, lights_, settings_);
 }
 
-void SurfacePainter::set_fog(bool is_layered) {
+void SurfacePainter::set_fog(std::size_t knots) {
   fog_lights_ = fog_lights(lights_, settings_.path_skipping());
-  is_fog_layered_ = is_layered;
+  knots_ = knots;
 }
 
 std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const View& view,
@@ -263,7 +263,7 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
                                std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch) {
   const Surface& surface = *alike[0].surface;
   variant.material = features_of(surface, *settings_.path);
-  variant.is_fog_layered = is_fog_layered_;
+  variant.knot_count = knots_;
   LightUniforms uniforms;
   const auto add_uniform = [&](std::int32_t light) {
     uniforms.lights.push_back(lights_.packed(std::size_t(light)));

@@ -38,8 +38,8 @@ class SurfacePainter {
   void set_lights();
   /// Takes a change of the ambient light or the moon's. The first one compiles all programs anew, further ones none.
   void set_environment_light() { programs_.make_environment_light_uniform(); }
-  /// Takes a change of the fog, which the lights have taken. is_layered: whether its density depends on the height.
-  void set_fog(bool is_layered);
+  /// Takes a change of the fog, which the lights have taken. knots: of its density profile.
+  void set_fog(std::size_t knots);
   /// Draws the surfaces of a plan but for its panes. Its light list is bound to its unit.
   ///
   /// shadows       of the lamps; drawn and bound. Null: none
@@ -86,7 +86,7 @@ class SurfacePainter {
   LightMapStore maps_;
   SurfacePrograms programs_;
   std::vector<std::int32_t> fog_lights_;
-  bool is_fog_layered_ = false;
+  std::size_t knots_ = 0;  // of the density profile
   std::size_t frames_ = 0;
 };
 

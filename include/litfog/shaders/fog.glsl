@@ -5,7 +5,8 @@
 // which adds up litfog_light_fog() over lights of its own choice, in the block or elsewhere.
 //
 // A program for fog of one mode may define LITFOG_FOG_MODE, 0.0 (exp) or 1.0 (exp2), before the first include of
-// litfog; compilers then leave the other out. One for fog without layers may define LITFOG_UNIFORM_FOG likewise.
+// litfog; compilers then leave the other out. One for profiles of so many knots, 0 in fog without layers, may define
+// LITFOG_KNOT_COUNT likewise; compilers then unroll the loops over knots.
 
 #ifndef LITFOG_FOG_GLSL
 #define LITFOG_FOG_GLSL
@@ -20,17 +21,17 @@ float litfog_fog_mode() { return LITFOG_FOG_MODE; }
 float litfog_fog_mode() { return litfog_fog.y; }
 #endif
 
+#ifdef LITFOG_KNOT_COUNT
+int litfog_knot_count() { return LITFOG_KNOT_COUNT; }
+#else
 int litfog_knot_count() { return int(litfog_ambient_fog_color.w); }
+#endif
 float litfog_knot_height(int knot) { return litfog_density_knots[knot].x; }
 float litfog_knot_density(int knot) { return litfog_density_knots[knot].y; }
 
 // Density of the fog, 1/m: its mean along a straight line between two heights.
 float litfog_fog_density(float height_a, float height_b) {
-#ifdef LITFOG_UNIFORM_FOG
-  return litfog_fog.x;
-#else
   return litfog_fog.x + litfog_mean_density(height_a, height_b);
-#endif
 }
 
 // Opacity 1 - f of the fog over a range between two heights. density_scale is a light's for the fog that its class
