@@ -485,9 +485,9 @@ void bind_lights(py::module_& m) {
     for (const auto& [height, density] : profile.used()) pairs.emplace_back(height, density);
     return pairs;
   };
-  py::class_<DensityProfile> profile(m, "DensityProfile",
+  py::class_<DensityProfile> density(m, "DensityProfile",
                                      "Density of exp fog over height: linear between up to 8 knots, constant beyond.");
-  profile.def(py::init(profile_of), py::arg("knots") = Knots{})
+  density.def(py::init(profile_of), py::arg("knots") = Knots{})
       .def_property(
           "knots", knots_of, [profile_of](DensityProfile& changed, const Knots& pairs) { changed = profile_of(pairs); },
           "(height in metres, density in 1/m) of each; heights rise")
@@ -496,7 +496,7 @@ void bind_lights(py::module_& m) {
           [](const std::vector<FogLayer>& layers, double contrast) { return make_density_profile(layers, contrast); },
           py::arg("layers"), py::arg("contrast") = kContrastMor,
           "The profile of layers, which add up where they overlap. ValueError with field, value and rule.");
-  make_record(profile, {"knots"});
+  make_record(density, {"knots"});
   py::class_<Atmosphere> atmosphere(m, "Atmosphere",
                                     "All that the air is. Its density at a height is the fog's plus the profile's.");
   atmosphere

@@ -85,7 +85,7 @@ class SolveTest(unittest.TestCase):
         light = litfog.Light("a", (1, 0.5, 0), litfog.Attenuation(0.5, 0.1, 2), 0.1, litfog.Cone.cosine(0.3, 7), 0.4)
         placed = litfog.PlacedLight(light, (1, 2, 3), (1, 0, 0), True)
         for value in (placed, litfog.Fog(litfog.FogMode.exp2, 0.25), litfog.Atmosphere(litfog.Fog(density=1), litfog.Phase.henyey_greenstein(0.5), top=7),
-                      litfog.FogLayer(top=9, visibility=50), litfog.Atmosphere(profile=litfog.DensityProfile([(1, 0.5)]))):  # fmt: skip
+                      litfog.FogLayer(1, 9, 2, 50), litfog.Atmosphere(top=7, profile=litfog.DensityProfile([(1, 0.5)]))):  # fmt: skip
             self.assertEqual(repr(eval(repr(value))), repr(value))
             self.assertEqual(repr(pickle.loads(pickle.dumps(value))), repr(value))
             self.assertEqual(repr(copy.deepcopy(value)), repr(value))

@@ -3,21 +3,26 @@
 // the first and above the last, 0 without knots. All that depends on its shape is asked here. GLSL includes this file
 // like any other; C++ takes the same text through src/model/density_profile_text.h.
 //
-// The including program says where the knots are: it defines litfog_knot_count(), litfog_knot_height() and
-// litfog_knot_density(). Heights rise from knot to knot, but two may be equal where they are rounded: that is a step.
-// fog.glsl defines them for the knots of the block.
+// The knots are those of the block. Heights rise from knot to knot, but two may be equal where they are rounded: that is
+// a step. A program for profiles of so many knots, 0 in fog without layers, may define LITFOG_KNOT_COUNT before the
+// first include of litfog; compilers then unroll the loops over knots.
 
 #ifndef LITFOG_DENSITY_PROFILE_GLSL
 #define LITFOG_DENSITY_PROFILE_GLSL
 
 #ifndef __cplusplus
-#include "litfog/shaders/expm1.glsl"
+#include "litfog/shaders/light_block.glsl"
+
+#ifdef LITFOG_KNOT_COUNT
+int litfog_knot_count() { return LITFOG_KNOT_COUNT; }
+#else
+int litfog_knot_count() { return int(litfog_ambient_fog_color.w); }
+#endif
+float litfog_knot_height(int knot) { return litfog_density_knots[knot].x; }
+float litfog_knot_density(int knot) { return litfog_density_knots[knot].y; }
+
 #define LITFOG_REAL float
 #define LITFOG_FUNCTION
-
-int litfog_knot_count();
-float litfog_knot_height(int knot);
-float litfog_knot_density(int knot);
 #endif
 
 // Mean density between two heights, lowest <= highest, that lie between a knot and the next, which is higher. Every

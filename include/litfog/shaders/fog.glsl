@@ -5,8 +5,7 @@
 // which adds up litfog_light_fog() over lights of its own choice, in the block or elsewhere.
 //
 // A program for fog of one mode may define LITFOG_FOG_MODE, 0.0 (exp) or 1.0 (exp2), before the first include of
-// litfog; compilers then leave the other out. One for profiles of so many knots, 0 in fog without layers, may define
-// LITFOG_KNOT_COUNT likewise; compilers then unroll the loops over knots.
+// litfog; compilers then leave the other out. LITFOG_KNOT_COUNT of density_profile.glsl does so for layers.
 
 #ifndef LITFOG_FOG_GLSL
 #define LITFOG_FOG_GLSL
@@ -20,14 +19,6 @@ float litfog_fog_mode() { return LITFOG_FOG_MODE; }
 #else
 float litfog_fog_mode() { return litfog_fog.y; }
 #endif
-
-#ifdef LITFOG_KNOT_COUNT
-int litfog_knot_count() { return LITFOG_KNOT_COUNT; }
-#else
-int litfog_knot_count() { return int(litfog_ambient_fog_color.w); }
-#endif
-float litfog_knot_height(int knot) { return litfog_density_knots[knot].x; }
-float litfog_knot_density(int knot) { return litfog_density_knots[knot].y; }
 
 // Density of the fog, 1/m: its mean along a straight line between two heights.
 float litfog_fog_density(float height_a, float height_b) {
