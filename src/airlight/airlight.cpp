@@ -34,12 +34,9 @@ struct SeenLight {
       : light(placed),
         class_fog(unchecked::scaled(atmosphere.fog, placed.light.density_scale)),
         phase(atmosphere.phase),
+        layers(atmosphere.profile),
         lamp_leg(leg),
-        extent(unchecked::compute_extent(placed.light.attenuation, placed.light.threshold)) {
-    if (atmosphere.profile.count > 0) {
-      require(ValueError{"profile.count", double(atmosphere.profile.count), "must be 0: airlight is of uniform fog"});
-    }
-  }
+        extent(unchecked::compute_extent(placed.light.attenuation, placed.light.threshold)) {}
 
   /// Whether no product of the fast form leaves double's range.
   bool is_ordinary() const {
@@ -53,6 +50,7 @@ struct SeenLight {
   const PlacedLight& light;
   Fog class_fog;
   Phase phase;
+  const DensityProfile& layers;
   LampLeg lamp_leg;
   double extent;
 };
@@ -62,14 +60,17 @@ double exact_airlight(const SeenLight& seen, const EyeRay& ray) {
   const Light& light = seen.light.light;
   const long double extent =
       level_range(convert<long double>(light.attenuation), static_cast<long double>(light.threshold)).high;
+  const NoCookie no_cookie;
+  const auto layers = convert<long double>(seen.layers);
+  const Exact text{no_cookie, layers};
   return double(integrate_airlight(
-      Exact{NoCookie{}},
-      Exact::seen_along(seen.light, extent, seen.class_fog, ray, seen.lamp_leg, pack<long double>(seen.phase))));
+      text, text.seen_along(seen.light, extent, seen.class_fog, ray, seen.lamp_leg, pack<long double>(seen.phase))));
 }
 
 double fast_airlight(const SeenLight& seen, const EyeRay& ray) {
   if (!seen.is_ordinary()) return exact_airlight(seen, ray);
-  Text<double, NoCookie> text{NoCookie{}};
+  const NoCookie no_cookie;
+  Text<double, NoCookie> text{no_cookie, seen.layers};
   return text.litfog_airlight(
       text.seen_along(seen.light, seen.extent, seen.class_fog, ray, seen.lamp_leg, pack<double>(seen.phase)));
 }

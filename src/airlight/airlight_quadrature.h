@@ -78,12 +78,15 @@ template <typename Cookie>
 long double integrate_airlight(Text<long double, Cookie> text,
                                const typename Text<long double, Cookie>::LitfogAirlight& air) {
   if (std::isinf(air.density)) return text.at_the_eye(air);
-  if (air.density == 0 || air.offset >= air.extent) return 0;
+  const bool is_layered = text.litfog_airlight_is_layered(air);
+  const long double thickest = air.density + (is_layered ? air.layer_scale * text.litfog_largest_profile_density() : 0);
+  if (thickest == 0 || air.offset >= air.extent) return 0;
   const long double chord = text.litfog_airlight_chord(air, air.extent);
-  const long double fog_scale = 1 / air.density;
-  const long double reach = (formulas::is_exp(air.mode) ? 11400 : 107) * fog_scale;  // beyond, e^-depth is 0
+  const long double fog_scale = 1 / thickest;
   const long double low = std::max(-air.approach, -chord);
-  const long double high = std::min({air.ray_length - air.approach, chord, reach - air.approach});
+  const long double depths = formulas::is_exp(air.mode) ? 11400 : 107;  // at which e^-depth is 0
+  const long double end = is_layered ? text.litfog_airlight_end_of_layers(air, depths) : depths * fog_scale;
+  const long double high = std::min({air.ray_length - air.approach, chord, end - air.approach});
   if (!(high > low)) return 0;
 
   // Where the integrand is not smooth or has a peak, and the shortest distance over which it changes there.
@@ -111,6 +114,9 @@ long double integrate_airlight(Text<long double, Cookie> text,
       cuts.push_back(crossing);
       scale = std::min(scale, range * (range / air.offset) / std::sqrt(sharpness));
     }
+  }
+  for (int i = 0; is_layered && i < text.litfog_knot_count() && air.rise != 0; ++i) {
+    cuts.push_back((text.litfog_knot_height(i) - air.height) / air.rise);
   }
   text.cookie.append_kinks(cuts);
   for (long double& cut : cuts) cut = std::clamp(cut, low, high);

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "litfog/airlight.h"
+#include "model/density_profile_text.h"
 #include "model/packed_cone.h"
 #include "model/phase_text.h"
 #include "model/unchecked.h"
@@ -34,13 +35,23 @@ glm::vec<3, Real> cross_without_cancellation(const glm::vec<3, Real>& a, const g
           difference_of_products(a.x, b.y, a.y, b.x)};
 }
 
+template <typename Real>
+inline constexpr BasicDensityProfile<Real> kNoLayers{};
+
 /// Cookie  called with a distance along the ray from its closest approach to the light: the fraction of the light's
 ///         axial intensity there, for LITFOG_PROFILE_COOKIE
-/// Shape   a phase function; those of litfog/shaders/phase.glsl for it are found in its namespace
-template <typename Real, typename Cookie, typename Shape = PackedPhase<Real>>
+template <typename Real, typename Cookie>
 struct Text {
-  using LitfogPhase = Shape;
+  using LitfogPhase = PackedPhase<Real>;
   const Cookie& cookie;
+  const BasicDensityProfile<Real>& layers = kNoLayers<Real>;
+
+  DensityProfileText<Real> layers_text() const { return {layers}; }
+  int litfog_knot_count() const { return int(layers.count); }
+  Real litfog_knot_height(int i) const { return layers.knots[std::size_t(i)].height; }
+  Real litfog_profile_density(Real height) const { return layers_text().litfog_profile_density(height); }
+  Real litfog_mean_density(Real a, Real b) const { return layers_text().litfog_mean_density(a, b); }
+  Real litfog_largest_profile_density() const { return layers_text().litfog_largest_profile_density(); }
 
   struct LitfogAirlight;
   Real litfog_airlight_cookie(const LitfogAirlight&, Real along) const { return cookie(along); }
@@ -60,8 +71,8 @@ struct Text {
 #undef LITFOG_COOKIES
 
   /// A light's parameters along a ray, in the fog that the light's class sees.
-  static LitfogAirlight seen_along(const PlacedLight& placed, Real extent, const Fog& class_fog, const EyeRay& ray,
-                                   LampLeg lamp_leg, const LitfogPhase& phase) {
+  LitfogAirlight seen_along(const PlacedLight& placed, Real extent, const Fog& class_fog, const EyeRay& ray,
+                            LampLeg lamp_leg, const LitfogPhase& phase) const {
     using Vector = glm::vec<3, Real>;
     const Light& light = placed.light;
     const Vector stated = Vector(ray.direction);
@@ -90,6 +101,10 @@ struct Text {
     air.offset = glm::length(offset);
     air.axis_offset = glm::dot(offset, axis);
     air.axis_slope = glm::dot(direction, axis);
+    air.layer_scale = layers.count > 0 ? Real(light.density_scale) : Real(0);
+    air.rise = direction.y;
+    air.height = Real(ray.origin.y) + approach * air.rise;
+    air.lamp_height = Real(placed.position.y);
     return air;
   }
 

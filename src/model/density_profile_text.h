@@ -8,6 +8,15 @@
 
 namespace litfog {
 
+template <typename Real>
+BasicDensityProfile<Real> convert(const DensityProfile& profile) {
+  BasicDensityProfile<Real> result{.count = profile.count};
+  for (std::size_t i = 0; i < profile.count; ++i) {
+    result.knots[i] = {Real(profile.knots[i].height), Real(profile.knots[i].density)};
+  }
+  return result;
+}
+
 /// The density profile's formulas as C++: the text that the shaders share, for any scalar.
 template <typename Real>
 struct DensityProfileText {

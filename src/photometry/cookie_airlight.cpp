@@ -53,7 +53,8 @@ double evaluate(const PlacedLight& light, const Cookie& cookie, const glm::dmat3
   const glm::dvec3 to_light = light.position - ray.origin;
   const CookieOnRay on_ray{cookie, cookie_from_world * (glm::dot(to_light, direction) * direction - to_light),
                            cookie_from_world * direction};
-  Text<Real, CookieOnRay> text{on_ray};
+  const auto layers = convert<Real>(atmosphere.profile);
+  Text<Real, CookieOnRay> text{on_ray, layers};
   const double extent = unchecked::compute_extent(light.light.attenuation, light.light.threshold);
   auto air = text.seen_along(light, Real(extent), unchecked::scaled(atmosphere.fog, light.light.density_scale), ray,
                              lamp_leg, phase_text::pack<Real>(atmosphere.phase));

@@ -32,6 +32,9 @@
 
 #include "litfog/shaders/airlight_bound.glsl"
 #include "litfog/shaders/cone_profile.glsl"
+#ifndef __cplusplus
+#include "litfog/shaders/density_profile.glsl"
+#endif
 #include "litfog/shaders/formulas.glsl"
 #include "litfog/shaders/phase.glsl"
 
@@ -42,7 +45,7 @@
 
 // A lamp as a ray sees it, and the fog.
 struct LitfogAirlight {
-  LITFOG_REAL density;       // of the fog as the lamp's class sees it, 1/m
+  LITFOG_REAL density;       // of the fog without layers as the lamp's class sees it, 1/m
   LITFOG_REAL mode;          // of the fog: litfog_is_exp()
   LITFOG_REAL lamp_leg;      // k: 1 where the light loses f(r) on its way from the lamp, 0 where it does not
   LitfogPhase phase;
@@ -59,6 +62,10 @@ struct LitfogAirlight {
   LITFOG_REAL axis_offset;   // component of that offset along the cone's axis: lamp to closest approach
   LITFOG_REAL axis_slope;    // cosine between the ray and the cone's axis
   LITFOG_REAL nodes;         // how often the integrand is evaluated; 0: as often as the stated errors need
+  LITFOG_REAL layer_scale;   // of the density profile (density_profile.glsl) for the lamp's class; 0: no layers
+  LITFOG_REAL height;        // metres: of the closest approach
+  LITFOG_REAL rise;          // of the ray, metres a metre
+  LITFOG_REAL lamp_height;   // metres
 };
 
 LITFOG_CONSTANT LITFOG_REAL litfog_far = LITFOG_REAL(1.0e30);  // stands for infinity
@@ -140,20 +147,50 @@ LITFOG_REAL litfog_airlight_by_angles(LitfogAirlight air, LITFOG_REAL along) {
   return value * litfog_cone_at(air.profile, cosine, LITFOG_REAL(0.0), air.cone_y);
 }
 
+// Whether there are layers of fog.
+bool litfog_airlight_is_layered(LitfogAirlight air) {
+#ifdef LITFOG_KNOT_COUNT
+  if (LITFOG_KNOT_COUNT == 0) return false;
+#endif
+  return air.layer_scale > LITFOG_REAL(0.0) && litfog_knot_count() > 0;
+}
+
+// Height at a distance along the ray from the closest approach.
+LITFOG_REAL litfog_airlight_height(LitfogAirlight air, LITFOG_REAL along) { return air.height + air.rise * along; }
+
+// Density there, in layers.
+LITFOG_REAL litfog_airlight_density(LitfogAirlight air, LITFOG_REAL along) {
+  return air.density + air.layer_scale * litfog_profile_density(litfog_airlight_height(air, along));
+}
+
+// Optical depth of both legs there, in layers.
+LITFOG_REAL litfog_airlight_depth(LitfogAirlight air, LITFOG_REAL along) {
+  LITFOG_REAL height = litfog_airlight_height(air, along);
+  LITFOG_REAL seen = max(air.approach + along, LITFOG_REAL(0.0));
+  LITFOG_REAL lit = air.lamp_leg * litfog_airlight_range(air, along);
+  LITFOG_REAL on_seen = litfog_mean_density(litfog_airlight_height(air, -air.approach), height);
+  LITFOG_REAL on_lit = litfog_mean_density(air.lamp_height, height);
+  return air.density * (seen + lit) + air.layer_scale * (on_seen * seen + on_lit * lit);
+}
+
 // The integrand at a distance along the ray from the closest approach.
 LITFOG_REAL litfog_airlight_integrand(LitfogAirlight air, LITFOG_REAL along) {
   LITFOG_REAL range = litfog_airlight_range(air, along);
   LITFOG_REAL seen = max(air.approach + along, LITFOG_REAL(0.0));
   LITFOG_REAL lit = air.lamp_leg * range;
   LITFOG_REAL weight;
-  if (litfog_is_exp(air.mode)) {
+  LITFOG_REAL density = air.density;
+  if (litfog_airlight_is_layered(air)) {
+    weight = exp(-litfog_airlight_depth(air, along));
+    density = litfog_airlight_density(air, along);
+  } else if (litfog_is_exp(air.mode)) {
     weight = exp(-air.density * (seen + lit));
   } else {
     LITFOG_REAL x = air.density * seen;
     LITFOG_REAL y = air.density * lit;
     weight = LITFOG_REAL(2.0) * x * exp(-x * x - y * y);
   }
-  weight *= air.density * litfog_attenuation(range, air.constant, air.linear, air.quadratic);
+  weight *= density * litfog_attenuation(range, air.constant, air.linear, air.quadratic);
   if (!litfog_is_isotropic(air.phase) && range > LITFOG_REAL(0.0)) {
     weight *= litfog_phase(air.phase, litfog_airlight_versine(air, along, range));
   }
@@ -285,16 +322,17 @@ bool litfog_airlight_is_wide(LitfogAirlight air) {
   return litfog_has_cone(air.profile) && air.cone_x < LITFOG_REAL(0.0);
 }
 
-// A point lamp in isotropic fog.
+// A point lamp in isotropic fog without layers.
 bool litfog_airlight_is_plain(LitfogAirlight air) {
-  return air.profile == LITFOG_REAL(LITFOG_PROFILE_NONE) && litfog_is_isotropic(air.phase);
+  return air.profile == LITFOG_REAL(LITFOG_PROFILE_NONE) && litfog_is_isotropic(air.phase) &&
+         !litfog_airlight_is_layered(air);
 }
 
 // A lamp in exp fog that is not isotropic and dims the lamp's leg as it does the eye's: the fog's weight e^(-d (s + r)) is
 // then nearly the same on all of the ray before the lamp, and the phase function shapes the integrand.
 bool litfog_airlight_is_shaped(LitfogAirlight air) {
   return !litfog_is_isotropic(air.phase) && litfog_is_exp(air.mode) && air.lamp_leg > LITFOG_REAL(0.0) &&
-         air.profile != LITFOG_REAL(LITFOG_PROFILE_COOKIE);
+         !litfog_airlight_is_layered(air) && air.profile != LITFOG_REAL(LITFOG_PROFILE_COOKIE);
 }
 
 // The number of nodes of the stated errors.
@@ -310,6 +348,11 @@ LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
   }
   if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) {
     return litfog_is_isotropic(air.phase) ? LITFOG_REAL(128.0) : LITFOG_REAL(160.0);
+  }
+  if (litfog_airlight_is_layered(air)) {  // of each piece
+    if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) return LITFOG_REAL(100.0);
+    if (litfog_has_cone(air.profile)) return LITFOG_REAL(16.0);
+    return litfog_is_isotropic(air.phase) ? LITFOG_REAL(8.0) : LITFOG_REAL(12.0);
   }
   if (litfog_airlight_is_shaped(air)) {
     if (!litfog_has_cone(air.profile)) return LITFOG_REAL(16.0);
@@ -377,19 +420,20 @@ LITFOG_REAL litfog_airlight_bend(LitfogAirlight air, LitfogAirlightSide side, LI
   return LITFOG_REAL(0.075) * log(max(squared, LITFOG_REAL(1.0)));
 }
 
-// Fog scales over which a shaped lamp's side is smooth: before the closest approach the two legs make up for each other,
-// beyond it both dim the light.
-LITFOG_REAL litfog_airlight_shaped_scale(LitfogAirlight air, bool beyond) {
-  return (beyond ? LITFOG_REAL(0.3) : LITFOG_REAL(2.0)) / air.density;
+// Metres over which a shaped lamp's side is smooth in fog of a density: before the closest approach the two legs make up
+// for each other, beyond it both dim the light.
+LITFOG_REAL litfog_airlight_shaped_scale(LITFOG_REAL density, bool beyond) {
+  return (beyond ? LITFOG_REAL(0.3) : LITFOG_REAL(2.0)) / density;
 }
 
 // The bend of a shaped lamp's side: by the logarithm of the offset, over which the phase function changes, to the
 // distance over which all else does, and falling again where that change is too short to count. A side that begins far
 // from the closest approach has the fraction of it that is left. The numbers gave the smallest errors of those tried, over the lamps and phase
 // functions of airlight_test.cpp.
-LITFOG_REAL litfog_airlight_shaped_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL falloff) {
+LITFOG_REAL litfog_airlight_shaped_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL falloff,
+                                        LITFOG_REAL density) {
   LITFOG_REAL scale = min(min(falloff, side.farthest),
-                          litfog_airlight_shaped_scale(air, side.direction > LITFOG_REAL(0.0)));
+                          litfog_airlight_shaped_scale(density, side.direction > LITFOG_REAL(0.0)));
   LITFOG_REAL inside = log(max(scale, air.offset) / max(air.offset, LITFOG_REAL(1.0e-9) * scale));
   LITFOG_REAL left = LITFOG_REAL(1.0) - side.nearest / max(scale, LITFOG_REAL(1.0e-30));
   LITFOG_REAL bend = min(LITFOG_REAL(0.4) * inside, LITFOG_REAL(0.25) * (LITFOG_REAL(17.0) - inside));
@@ -427,7 +471,7 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
     side.size = asinh(end / side.width);
     side.part = sqrt(side.size);
     if (litfog_airlight_is_shaped(air)) {
-      side.bend = litfog_airlight_shaped_bend(air, side, falloff);
+      side.bend = litfog_airlight_shaped_bend(air, side, falloff, air.density);
       if (!litfog_has_cone(air.profile)) side.part = LITFOG_REAL(1.0);
     } else if (litfog_airlight_is_plain(air)) {
       side.bend = litfog_airlight_bend(air, side, end);
@@ -449,7 +493,7 @@ LitfogAirlightSide litfog_airlight_side_of(LitfogAirlight air, int i, LITFOG_REA
   LITFOG_REAL from = border != LITFOG_REAL(0.0) && takes_high ? max(low, border) : low;
   LITFOG_REAL to = border != LITFOG_REAL(0.0) && !takes_high ? min(high, border) : high;
   if (by_crossing) return litfog_airlight_side(air, from, to, crossing, beyond, beam_width, LITFOG_REAL(0.0));
-  if (beyond && litfog_airlight_is_shaped(air)) width = min(width, max(air.offset, litfog_airlight_shaped_scale(air, true)));
+  if (beyond && litfog_airlight_is_shaped(air)) width = min(width, max(air.offset, litfog_airlight_shaped_scale(air.density, true)));
   return litfog_airlight_side(air, beyond ? max(from, hole) : from, beyond ? to : min(to, -hole), LITFOG_REAL(0.0),
                               beyond, width, falloff);
 }
@@ -610,13 +654,32 @@ LitfogAirlightStretch litfog_airlight_lit(LitfogAirlight air) {
   return lit;
 }
 
+// Metres from the eye to where a ray has passed all layers and, where there is fog beyond, some optical depths of that.
+LITFOG_REAL litfog_airlight_end_of_layers(LitfogAirlight air, LITFOG_REAL depths) {
+  LITFOG_REAL eye_height = litfog_airlight_height(air, -air.approach);
+  LITFOG_REAL end = LITFOG_REAL(0.0);
+  LITFOG_REAL height = eye_height;
+  if (air.rise != LITFOG_REAL(0.0)) {
+    height = litfog_knot_height(air.rise > LITFOG_REAL(0.0) ? litfog_knot_count() - 1 : 0);
+    end = max((height - eye_height) / air.rise, LITFOG_REAL(0.0));
+  }
+  LITFOG_REAL density = air.density + air.layer_scale * litfog_profile_density(height);
+  return min(density > LITFOG_REAL(0.0) ? end + depths / density : end, litfog_far);
+}
+
 LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
   LitfogAirlightStretch stretch = litfog_airlight_lit(air);
   LITFOG_REAL low = stretch.low;
   LITFOG_REAL high = stretch.high;
   stretch.low = LITFOG_REAL(0.0);
   stretch.high = LITFOG_REAL(0.0);
-  if (!(air.density > LITFOG_REAL(0.0)) || air.offset >= air.extent) return stretch;
+  if (air.offset >= air.extent) return stretch;
+  if (litfog_airlight_is_layered(air)) {
+    LitfogAirlightStretch lit = litfog_airlight_lit(air);
+    lit.high = min(lit.high, litfog_airlight_end_of_layers(air, LITFOG_REAL(100.0)) - air.approach);
+    return lit;
+  }
+  if (!(air.density > LITFOG_REAL(0.0))) return stretch;
   LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;
   high = min(high, max(low, LITFOG_REAL(0.0)) + LITFOG_REAL(100.0) * fog_scale);
   if (!(high > low)) return stretch;
@@ -665,12 +728,15 @@ LITFOG_REAL litfog_airlight_bound(LitfogAirlight air, LitfogAirlightStretch stre
   LITFOG_REAL size = stretch.high - stretch.low;
   LITFOG_REAL nearest = litfog_airlight_range(air, clamp(LITFOG_REAL(0.0), stretch.low, stretch.high));
   LITFOG_REAL lit = nearest;
-  if (litfog_is_exp(air.mode)) {
+  LITFOG_REAL thickest = air.density;
+  if (litfog_airlight_is_layered(air)) {
+    thickest += air.layer_scale * litfog_largest_profile_density();
+  } else if (litfog_is_exp(air.mode)) {
     size = min(size, max(-stretch.low, LITFOG_REAL(0.0)) + LITFOG_REAL(1.0) / air.density);
     lit = litfog_airlight_range(air, stretch.low);
   }
   LITFOG_REAL weight =
-      litfog_largest_fog_weight(air.mode, air.density, air.density, air.approach + stretch.low, air.lamp_leg * lit);
+      litfog_largest_fog_weight(air.mode, air.density, thickest, air.approach + stretch.low, air.lamp_leg * lit);
   LITFOG_REAL denominator = litfog_denominator(nearest, air.constant, air.linear, air.quadratic);
   LITFOG_REAL beam = LITFOG_REAL(1.0);
   if (litfog_has_cone(air.profile) && air.axis_offset > LITFOG_REAL(0.0)) {
@@ -700,12 +766,123 @@ int litfog_airlight_used_side(int i, LitfogAirlightSide before, LitfogAirlightSi
   return i <= 3 && beyond_crossing.part > LITFOG_REAL(0.0) ? 3 : 4;
 }
 
+// What a ray's integral is spread by.
+struct LitfogAirlightShape {
+  LITFOG_REAL density;     // at the closest approach, not 0
+  LITFOG_REAL plateau;     // distance to the closest approach up to which the attenuation is clamped to 1
+  LITFOG_REAL falloff;     // width of the attenuation
+  LITFOG_REAL width;       // of all that changes about the closest approach
+  bool crosses;            // whether a beam crosses the ray far from there
+  LITFOG_REAL crossing;    // where
+  LITFOG_REAL beam_width;
+};
+
+// The integral over a piece of a ray in layers, on which it is smooth. Where the fog hides one end from the other, it is
+// over what is left within 9 optical depths of the brighter end and as many more as the other end is lit more brightly.
+LITFOG_REAL litfog_airlight_piece(LitfogAirlight air, LitfogAirlightShape shape, LITFOG_REAL from, LITFOG_REAL to) {
+  LITFOG_REAL hidden = litfog_airlight_depth(air, to) - litfog_airlight_depth(air, from);
+  bool is_bright_first = hidden > LITFOG_REAL(0.0);
+  LITFOG_REAL bright = is_bright_first ? from : to;
+  LITFOG_REAL dim = is_bright_first ? to : from;
+  LITFOG_REAL bright_range = litfog_airlight_range(air, bright);
+  LITFOG_REAL dim_range = litfog_airlight_range(air, dim);
+  LITFOG_REAL gain = litfog_attenuation(dim_range, air.constant, air.linear, air.quadratic) /
+                     litfog_attenuation(bright_range, air.constant, air.linear, air.quadratic);
+  if (!litfog_is_isotropic(air.phase) && bright_range > LITFOG_REAL(0.0) && dim_range > LITFOG_REAL(0.0)) {
+    gain *= litfog_phase(air.phase, litfog_airlight_versine(air, dim, dim_range)) /
+            litfog_phase(air.phase, litfog_airlight_versine(air, bright, bright_range));
+  }
+  LITFOG_REAL kept = (LITFOG_REAL(9.0) + log(max(gain, LITFOG_REAL(1.0)))) / max(abs(hidden), LITFOG_REAL(1.0e-9));
+  if (kept < LITFOG_REAL(1.0)) {  // the fraction of the piece at which the integral of a linear density is that of the depths
+    LITFOG_REAL first = litfog_airlight_density(air, bright);
+    LITFOG_REAL last = litfog_airlight_density(air, dim);
+    LITFOG_REAL column = kept * (first + last);
+    LITFOG_REAL root = sqrt(max(first * first + (last - first) * column, LITFOG_REAL(0.0)));
+    dim = bright + (dim - bright) * min(column / max(first + root, LITFOG_REAL(1.0e-30)), LITFOG_REAL(1.0));
+  }
+  LITFOG_REAL low = min(bright, dim);
+  LITFOG_REAL high = max(bright, dim);
+
+  LITFOG_REAL middle = LITFOG_REAL(0.5) * (low + high);
+  bool by_crossing = shape.crosses && abs(middle - shape.crossing) < abs(middle);
+  LitfogAirlightSide side;
+  side.anchor = by_crossing ? shape.crossing : LITFOG_REAL(0.0);
+  side.direction = middle > side.anchor ? LITFOG_REAL(1.0) : LITFOG_REAL(-1.0);
+  side.nearest = LITFOG_REAL(0.0);
+  LITFOG_REAL nearest = max((side.direction > LITFOG_REAL(0.0) ? low : -high) - side.direction * side.anchor,
+                            LITFOG_REAL(0.0));
+  side.farthest = (side.direction > LITFOG_REAL(0.0) ? high : -low) - side.direction * side.anchor;
+  side.rate = LITFOG_REAL(0.0);
+  side.width = by_crossing ? shape.beam_width : shape.width;
+  if (!by_crossing && side.direction > LITFOG_REAL(0.0)) {
+    side.width = min(side.width, max(air.offset, litfog_airlight_shaped_scale(shape.density, true)));
+  }
+  side.width = clamp(side.width, LITFOG_REAL(1.0e-6) * side.farthest, LITFOG_REAL(1000.0) * side.farthest);
+  side.size = asinh(side.farthest / side.width);
+  side.part = LITFOG_REAL(1.0);
+  side.bend = LITFOG_REAL(0.0);
+  if (!by_crossing && nearest <= LITFOG_REAL(0.0)) {
+    side.bend = litfog_airlight_shaped_bend(air, side, shape.falloff, shape.density);
+  }
+  LITFOG_REAL start = asinh(nearest / side.width);
+  // Short and nearly straight pieces need fewer nodes, unless the closest approach or a beam's edge bends them.
+  LITFOG_REAL changes = LITFOG_REAL(2.0) * (side.size - start) + min(abs(hidden), LITFOG_REAL(9.0));
+  LITFOG_REAL most = air.nodes > LITFOG_REAL(0.0) ? air.nodes : litfog_airlight_nodes(air);
+  if (nearest <= LITFOG_REAL(0.0) || litfog_has_cone(air.profile)) changes += LITFOG_REAL(2.0);
+  LITFOG_REAL nodes = clamp(ceil(LITFOG_REAL(0.2) * most * (LITFOG_REAL(1.0) + changes)), LITFOG_REAL(2.0), most);
+  return litfog_airlight_between(air, side, start, side.size, int(nodes));
+}
+
+// The next end of a smooth piece after x, of those up to next.
+LITFOG_REAL litfog_airlight_cut(LITFOG_REAL cut, LITFOG_REAL x, LITFOG_REAL next) {
+  return cut > x && cut < next ? cut : next;
+}
+
+// The integral over the stretch of a ray in layers: over its pieces between knots, edges and the closest approach.
+LITFOG_REAL litfog_airlight_in_layers(LitfogAirlight air, LitfogAirlightStretch stretch, LitfogAirlightShape shape) {
+  LitfogAirlightPart inner;
+  inner.low = litfog_far;
+  inner.high = litfog_far;
+  if (litfog_cone_has_inner_edge(air.profile)) inner = litfog_airlight_inside(air, air.cone_y);
+  LITFOG_REAL sum = LITFOG_REAL(0.0);
+  LITFOG_REAL x = stretch.low;
+  int pieces = 0;
+  do {
+    LITFOG_REAL next = litfog_airlight_cut(LITFOG_REAL(0.0), x, stretch.high);
+    next = litfog_airlight_cut(shape.plateau, x, next);
+    next = litfog_airlight_cut(-shape.plateau, x, next);
+    next = litfog_airlight_cut(stretch.dark.low, x, next);
+    next = litfog_airlight_cut(stretch.dark.high, x, next);
+    next = litfog_airlight_cut(inner.low, x, next);
+    next = litfog_airlight_cut(inner.high, x, next);
+    if (shape.crosses) {
+      next = litfog_airlight_cut(shape.crossing, x, next);
+      next = litfog_airlight_cut(LITFOG_REAL(0.5) * shape.crossing, x, next);
+    }
+    for (int i = 0; i < litfog_knot_count(); ++i) {
+      LITFOG_REAL above = litfog_knot_height(i) - air.height;
+      if (abs(above) < litfog_far * abs(air.rise)) next = litfog_airlight_cut(above / air.rise, x, next);
+    }
+    LITFOG_REAL middle = LITFOG_REAL(0.5) * (x + next);
+    bool is_dark = middle > stretch.dark.low && middle < stretch.dark.high;
+    if (!is_dark && litfog_airlight_density(air, middle) > LITFOG_REAL(0.0)) {
+      sum += litfog_airlight_piece(air, shape, x, next);
+    }
+    x = next;
+    ++pieces;
+  } while (pieces < 24 && x < stretch.high);
+  return sum;
+}
+
 // The integral over the stretch of a ray.
 LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stretch) {
   LITFOG_REAL low = stretch.low;
   LITFOG_REAL high = stretch.high;
   if (!(high > low)) return LITFOG_REAL(0.0);
-  LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;
+  bool is_layered = litfog_airlight_is_layered(air);
+  LITFOG_REAL density = air.density;
+  if (is_layered) density = max(litfog_airlight_density(air, LITFOG_REAL(0.0)), LITFOG_REAL(1.0e-9));
+  LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / density;
   bool is_plain = litfog_airlight_is_plain(air);
 
 #ifdef LITFOG_NO_KNEE
@@ -742,6 +919,18 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   if (litfog_has_cone(air.profile) && !crosses) {
     beam_width = clamp(beam_width, LITFOG_REAL(0.25) * air.offset, LITFOG_REAL(2.0) * air.offset);
     width = min(width, max(beam_width, LITFOG_REAL(0.01) * falloff));
+  }
+  LITFOG_REAL most = litfog_largest_phase(air.phase, LITFOG_REAL(0.0), LITFOG_REAL(2.0));
+  if (is_layered) {
+    LitfogAirlightShape shape;
+    shape.density = density;
+    shape.plateau = plateau;
+    shape.falloff = falloff;
+    shape.width = width;
+    shape.crosses = crosses;
+    shape.crossing = crossing;
+    shape.beam_width = beam_width;
+    return clamp(litfog_airlight_in_layers(air, stretch, shape), LITFOG_REAL(0.0), most);
   }
   LITFOG_REAL border = crosses ? LITFOG_REAL(0.5) * crossing : LITFOG_REAL(0.0);
 
@@ -795,7 +984,7 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
     i = litfog_airlight_used_side(i + 1, before, beyond, before_crossing, beyond_crossing);
   } while (i < 4);
   // No more than all that the fog takes from the ray is scattered into it.
-  return clamp(sum, LITFOG_REAL(0.0), litfog_largest_phase(air.phase, LITFOG_REAL(0.0), LITFOG_REAL(2.0)));
+  return clamp(sum, LITFOG_REAL(0.0), most);
 }
 
 LITFOG_REAL litfog_airlight(LitfogAirlight air) { return litfog_airlight_along(air, litfog_airlight_stretch(air)); }

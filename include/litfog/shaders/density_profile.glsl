@@ -46,6 +46,13 @@ LITFOG_FUNCTION LITFOG_REAL litfog_profile_density(LITFOG_REAL height) {
   return litfog_knot_density(last);
 }
 
+// Largest density at any height.
+LITFOG_FUNCTION LITFOG_REAL litfog_largest_profile_density() {
+  LITFOG_REAL largest = LITFOG_REAL(0.0);
+  for (int i = 0; i < litfog_knot_count(); ++i) largest = max(largest, litfog_knot_density(i));
+  return largest;
+}
+
 // The density's integral over height, lowest <= highest, of at least one knot: a sum of the parts between knots, each
 // from its own clipped heights, rather than a difference of large integrals.
 LITFOG_FUNCTION LITFOG_REAL litfog_profile_column(LITFOG_REAL lowest, LITFOG_REAL highest) {
