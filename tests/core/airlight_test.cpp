@@ -294,7 +294,8 @@ typename Text::LitfogAirlight seen_exactly(const AirlightCase& c) {
   const Light& light = c.light.light;
   const long double extent = real(reference_extent(light.attenuation, light.threshold));
   auto air =
-      Text::seen_along(c.light, extent, c.atmosphere.fog, c.ray, c.lamp_leg, phase_text::pack<long double>(c.atmosphere.phase));
+      Text{airlight_text::NoCookie{}}.seen_along(c.light, extent, c.atmosphere.fog, c.ray, c.lamp_leg,
+                                                 phase_text::pack<long double>(c.atmosphere.phase));
   air.approach = real(along * ray_length);
   air.offset = real(sqrt(dot(offset, offset)));
   air.axis_offset = real(dot(offset, axis) / axis_length);

@@ -81,12 +81,12 @@ std::vector<double> draw(const std::vector<ShaderCase>& cases) {
     for (std::size_t row = 0; row < 6; ++row) inputs[row].push_back(c.members[row]);
   }
   const gl::Program program = FormulaPixels::program(
-      "#include \"test/input.glsl\"\n#include \"litfog/shaders/airlight.glsl\"\n"
+      "#define LITFOG_KNOT_COUNT 0\n#include \"test/input.glsl\"\n#include \"litfog/shaders/airlight.glsl\"\n"
       "LitfogPhaseLobe lobe(vec4 x) { return LitfogPhaseLobe(x.x, x.y, x.z, x.w); }\n"
       "void main() { vec4 a = given(0), b = given(1), c = given(2), d = given(3);\n"
       "LitfogPhase phase = LitfogPhase(lobe(given(4)), lobe(given(5)));\n"
       "result = vec4(litfog_airlight(LitfogAirlight(a.x, a.y, a.z, phase, b.x, b.y, b.z, b.w, c.x, c.y, c.z, c.w,\n"
-      "d.x, d.y, d.z, d.w, 0.0))); }\n");
+      "d.x, d.y, d.z, d.w, 0.0, 0.0, 0.0, 0.0, 0.0))); }\n");
   std::vector<double> airlights;
   for (const glm::vec4& result : FormulaPixels().draw(program, inputs)) airlights.push_back(double(result.x));
   return airlights;

@@ -12,16 +12,17 @@ namespace litfog::render {
 
 const gl::Program& AirlightPrograms::program(const Atmosphere& atmosphere, const AirlightKind& lights) {
   const bool is_isotropic = litfog::is_isotropic(atmosphere.phase);
-  const std::tuple key(atmosphere.fog.mode, lights, is_isotropic);
+  const std::tuple key(atmosphere.fog.mode, atmosphere.profile.count, lights, is_isotropic);
   const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   const std::string constants = fmt::format(
       "#define LITFOG_FOG_MODE {}.0\n"
+      "#define LITFOG_KNOT_COUNT {}\n"
       "{}"
       "#define LITFOG_ISOTROPIC {}\n"
       "const float profile = {}.0;  // of the lights to draw\n"
       "const bool has_shafts = {};\n",
-      int(atmosphere.fog.mode), lights.has_knee ? "" : "#define LITFOG_NO_KNEE\n",
+      int(atmosphere.fog.mode), atmosphere.profile.count, lights.has_knee ? "" : "#define LITFOG_NO_KNEE\n",
       is_isotropic ? 1 : 0, lights.profile, lights.has_shafts);
   std::vector<gl::ShaderSource> files = scene_shaders(lights.profile == kCookieProfile, lights.has_shafts);
   files.push_back({"generated/airlight_constants.glsl", constants});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <map>
 #include <tuple>
 
@@ -13,8 +14,8 @@ namespace litfog::render {
 
 inline constexpr int kCookieProfile = int(LITFOG_PROFILE_COOKIE);  ///< profile of a light with a cookie, in shaders
 
-/// Compiles two shaders once for each kind of lights, fog mode and even or uneven scattering, when first asked for, so
-/// that the compiler drops what a kind does not need. The shaders include airlight_constants.glsl. Needs a current GL
+/// Compiles two shaders once for each kind of lights, fog mode, number of knots of its layers and even or uneven
+/// scattering, when first asked for, so that the compiler drops what a kind does not need. The shaders include airlight_constants.glsl. Needs a current GL
 /// context.
 class AirlightPrograms {
  public:
@@ -27,7 +28,7 @@ class AirlightPrograms {
  private:
   const char* vertex_file_;
   const char* fragment_file_;
-  std::map<std::tuple<FogMode, AirlightKind, bool>, gl::Program> programs_;  // bool: whether the fog scatters evenly
+  std::map<std::tuple<FogMode, std::size_t, AirlightKind, bool>, gl::Program> programs_;  // bool: isotropic fog
 };
 
 }  // namespace litfog::render

@@ -14,7 +14,7 @@ namespace litfog::render {
 FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
                                   double exposure, std::span<const std::int32_t> casters) {
   FarAirlightList list;
-  const double density = atmosphere.fog.density;  // without its profile, as in the shaders
+  const double density = atmosphere.thickest_fog().density;
   if (!(density > 0) || std::isinf(density)) return list;
   // For lights, for what is too far away of all, and for what is too far away of some.
   const double budget = kFarShare / 3 * visible_step(exposure);

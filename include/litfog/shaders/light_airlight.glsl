@@ -29,6 +29,9 @@ float litfog_airlight_cookie(LitfogAirlight air, float along) {
 // Density of the fog as the light's class sees it, 1/m. Finite: 1e6 is a visibility of micrometres.
 float litfog_light_fog_density(LitfogLight light) { return min(litfog_fog.x * light.attenuation.w, 1.0e6); }
 
+// Factor of the density profile for the light's class; 0 where there are no layers.
+float litfog_layer_scale(LitfogLight light) { return litfog_knot_count() > 0 ? light.attenuation.w : 0.0; }
+
 // The light as a ray from the eye sees it, for litfog_airlight() with as many nodes as its stated errors need.
 //
 // direction  unit, from the eye
@@ -46,7 +49,8 @@ LitfogAirlight litfog_light_airlight_ray(LitfogLight light, vec3 eye, vec3 direc
   return LitfogAirlight(density, litfog_fog_mode(), 1.0, litfog_fog_phase(), light.attenuation.x, light.attenuation.y,
                         light.attenuation.z, light.position_extent.w, light.axis_profile.w, light.cone.x, light.cone.y,
                         range, approach, length(offset), dot(offset, light.axis_profile.xyz),
-                        dot(direction, light.axis_profile.xyz), 0.0);
+                        dot(direction, light.axis_profile.xyz), 0.0, litfog_layer_scale(light),
+                        eye.y + approach * direction.y, direction.y, light.position_extent.y);
 }
 
 // The light's airlight along a ray of litfog_light_airlight_ray().
@@ -62,6 +66,8 @@ vec3 litfog_light_airlight(LitfogLight light, vec3 eye, vec3 direction, float ra
   float most = max(max(color.r, color.g), color.b) * litfog_airlight_bound(air, stretch);
   if (air.profile == LITFOG_PROFILE_COOKIE) {
     air.nodes = clamp(156.0 * pow(most, 0.3), 8.0, 512.0);
+  } else if (litfog_airlight_is_layered(air)) {
+    air.nodes *= most < 0.0015 ? 0.5 : most < 0.03 ? 0.75 : 1.0;
   } else if (litfog_airlight_is_shaped(air)) {
     if (air.profile == LITFOG_PROFILE_NONE) {
       air.nodes = most < 0.0004 ? 8.0 : most < 0.004 ? 12.0 : air.nodes;

@@ -17,8 +17,13 @@ uniform int row_count;  // texel rows of eight slabs; the next eight slabs are a
 
 layout(location = 0) out vec4 sums[slabs_at_once];
 
-// The fog's -f'(s) f(r), 1/m.
-float fog_weight(float density, float seen, float range) {
+// The fog's -f'(s) f(r), 1/m, at a height. Without layers its density is that of the light's class.
+float fog_weight(LitfogLight light, float density, float height, float seen, float range) {
+  if (litfog_knot_count() > 0) {
+    float scale = light.attenuation.w;
+    float depth = litfog_fog_density(eye.y, height) * seen + litfog_fog_density(light.position_extent.y, height) * range;
+    return scale * litfog_fog_density(height, height) * exp(-scale * depth);
+  }
   if (litfog_is_exp(litfog_fog_mode())) return density * exp(-density * (seen + range));
   float x = density * seen;
   float y = density * range;
@@ -50,7 +55,7 @@ void main() {
       float range = max(ray.w, extent);
       float arriving = litfog_cone(light, ray.xyz) *
                        litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
-      float scattered = (end - begin - within) * fog_weight(density, seen, range) * arriving;
+      float scattered = (end - begin - within) * fog_weight(light, density, eye.y + direction.y * seen, seen, range) * arriving;
       if (!litfog_is_isotropic(phase)) scattered *= litfog_phase(phase, max(1.0 + dot(direction, ray.xyz), far_peak_versine));
       slabs[slab] += light.color_intensity.rgb * (litfog_airlight_unit() * scattered);
     }
