@@ -175,13 +175,13 @@ def rejection():
 def airlight_climb():
     rows = read("airlight-climb")
     lines = []
-    for function, lamps in dict.fromkeys((row["function"], row["lamps"]) for row in rows):
-        by = only(rows, function=function, lamps=lamps)
+    for function, lamps, bound in dict.fromkeys((row["function"], row["lamps"], row["bound"]) for row in rows):
+        by = only(rows, function=function, lamps=lamps, bound=bound)
         fogs = " and ".join(dict.fromkeys(row["fog"] for row in by))
         legs = " or ".join(f"{k:g}" for k in sorted({row["lamp_leg"] for row in by}))
         g = max(row["g"] for row in by)
         unit = "/255" if function == "airlight" else ""
-        kind = f"{lamps}, {fogs}, k = {legs}, " + (f"\\|g\\| <= {g:g}" if g > 0 else "isotropic")
+        kind = f"{lamps}, {fogs}, k = {legs}, " + (f"\\|g\\| <= {g:g} and droplets" if g > 0 else "isotropic")
         lines.append([f"`{function}`", kind, f"{sum(row['rays'] for row in by):,.0f}", f"{by[0]['bound']:g}{unit}",
                       f"{max(row['worst'] for row in by):.3g}"])
     text = table(["function", "range", "rays", "bound", "worst found"], lines)

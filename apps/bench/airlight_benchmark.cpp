@@ -101,7 +101,7 @@ std::vector<Method> methods_of(Problem& problem, const SunTable& table, std::siz
     if (problem.lamp_leg == LampLeg::fogged) {
       add("sun-2005", {}, all, [&table](const AirlightCase& c) { return table.airlight(c); });
     }
-  } else {
+  } else if (problem.mix != AirlightMix::layers) {
     for (const int steps : kSteps) {
       add("march", steps, all, [steps](const AirlightCase& c) { return march_airlight(c, steps); });
     }
@@ -161,9 +161,12 @@ Result measure_airlight(bool quick) {
   const Scale& scale = quick ? kQuick : kFull;
   command::Progress progress;
   std::list<Problem> problems;  // methods point at them
-  for (const AirlightMix mix : {AirlightMix::point, AirlightMix::any, AirlightMix::inverse_square}) {
+  for (const AirlightMix mix : {AirlightMix::point, AirlightMix::droplets, AirlightMix::layers, AirlightMix::any,
+                                AirlightMix::inverse_square}) {
     for (const FogMode fog : {FogMode::exp, FogMode::exp2}) {
-      if (mix == AirlightMix::inverse_square && fog == FogMode::exp2) continue;  // no rival knows it
+      const bool is_exp_alone = mix != AirlightMix::point && mix != AirlightMix::any;
+      if (is_exp_alone && fog == FogMode::exp2)
+        continue;  // no rival knows it, or there are no such droplets and layers
       for (const LampLeg lamp_leg : {LampLeg::fogged, LampLeg::clear}) {
         progress.show(fmt::format("references of lights: {}, {} fog", name_of(mix), name_of(fog)));
         problems.emplace_back(mix, fog, lamp_leg, scale.rays);
@@ -188,7 +191,8 @@ Result measure_airlight(bool quick) {
     method.pass.run();  // the results of this method, not of the one timed last
     const Errors errors = errors_of(*method.problem);
     measurements.back().errors = errors;
-    const bool is_stated = method.name == kLitfogName && method.problem->mix != AirlightMix::any;  // in isotropic fog
+    const bool is_stated = method.name == kLitfogName && (method.problem->mix == AirlightMix::point ||
+                                                          method.problem->mix == AirlightMix::inverse_square);
     if (is_stated && !(errors.max_255 <= 255 * kAirlightMaxError)) {
       result.failures.push_back(fmt::format("{} {} {}: error = {}/255: must be at most {}/255", method.name,
                                             name_of(method.problem->mix), name_of(method.problem->fog), errors.max_255,

@@ -7,7 +7,7 @@ namespace {
 test::AirlightCase draw_any_case(test::Random& random, FogMode mode, LampLeg lamp_leg) {
   test::AirlightCase c = random.chance(1.0 / 3) ? test::draw_airlight_case(random, mode, lamp_leg)
                                                 : test::draw_spot_airlight_case(random, mode, lamp_leg);
-  if (random.chance(0.5)) c.atmosphere.phase.first.asymmetry = random.uniform(-0.9, 0.9);
+  if (random.chance(0.5)) c.atmosphere.phase = Phase::henyey_greenstein(random.uniform(-0.9, 0.9));
   return c;
 }
 
@@ -15,6 +15,13 @@ test::AirlightCase draw_case(AirlightMix mix, test::Random& random, FogMode mode
   switch (mix) {
     case AirlightMix::point:
       return test::draw_airlight_case(random, mode, lamp_leg);
+    case AirlightMix::droplets:
+    case AirlightMix::layers: {
+      test::AirlightCase c = test::draw_airlight_case(random, mode, lamp_leg);
+      if (mix == AirlightMix::droplets) c.atmosphere.phase = Phase::droplets(10);
+      if (mix == AirlightMix::layers) test::draw_layers(random, c);
+      return c;
+    }
     case AirlightMix::any:
       return draw_any_case(random, mode, lamp_leg);
     case AirlightMix::inverse_square:
@@ -29,6 +36,10 @@ const char* name_of(AirlightMix mix) {
   switch (mix) {
     case AirlightMix::point:
       return "point";
+    case AirlightMix::droplets:
+      return "droplets";
+    case AirlightMix::layers:
+      return "layers";
     case AirlightMix::any:
       return "any";
     case AirlightMix::inverse_square:

@@ -15,6 +15,10 @@ enum class AirlightMix {
   /// quarter each and else log-uniform over decades, threshold 0.05 in half; visibility 3 m to 100 km log-uniform, in
   /// one of twenty 5 cm to 3 m; rays through, past, from and behind the lamp, of any length.
   point,
+  /// The lamps and rays of `point` in fog of droplets of 10 micrometres.
+  droplets,
+  /// The lamps and rays of `point` in isotropic fog of one or two layers, as test::draw_layers() places them.
+  layers,
   /// All parameters: a third of the lamps of `point`, two thirds spots of 0.1 to 180 degrees of both profiles, two
   /// thirds of them aimed near the ray; half of the rays in fog that scatters by g uniform in (-0.9, 0.9).
   any,

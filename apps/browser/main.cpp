@@ -196,8 +196,8 @@ EMSCRIPTEN_KEEPALIVE int page_lamp_copies(int lamp) { return int(session().lamps
 /// profile        ConeProfile
 /// first, second  its parameters
 EMSCRIPTEN_KEEPALIVE const char* page_set_lamp(int lamp, double red, double green, double blue, double constant,
-                                               double linear, double quadratic, double threshold,
-                                               double radius, int profile, double first, double second) {
+                                               double linear, double quadratic, double threshold, double radius,
+                                               int profile, double first, double second) {
   static std::string error;
   Light light = session().first_of(lamp).light;
   light.color = {red, green, blue};

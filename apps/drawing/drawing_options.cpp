@@ -9,6 +9,7 @@
 #include "command/command.h"
 #include "command/number.h"
 #include "command/runway_lights.h"
+#include "litfog/files/phase_name.h"
 #include "render/plan/lighting_path.h"
 #include "scene/file/fog_layers.h"
 
@@ -17,7 +18,6 @@ namespace {
 
 constexpr int kMaxSide = 16'384;
 constexpr command::NumberRule kFraction{[](double x) { return x >= 0 && x <= 1; }, "must be a number in [0, 1]", 0, 1};
-constexpr command::NumberRule kAlbedo{[](double albedo) { return albedo >= 0 && albedo <= 1; }, "must be in [0, 1]"};
 constexpr std::int64_t kMaxPixels = 40'000'000;  // some 3 GiB, 5 with airlight
 
 void parse_size(const std::string& text, DrawingOptions& options) {
@@ -67,7 +67,8 @@ void add_phase(CLI::App& app, DrawingOptions& options) {
   const auto add_named = [&](const std::string& option, const char* type, const std::string& prefix,
                              const std::string& description) {
     const auto parse = [&options, option, prefix](const std::string& text) {
-      if (!phase_named(prefix + text)) command::fail_option(option, text, prefix.empty() ? kPhaseRule : kAsymmetryRule);
+      if (!files::phase_named(prefix + text))
+        command::fail_option(option, text, prefix.empty() ? files::kPhaseRule : kAsymmetryRule);
       options.phase = prefix + text;
     };
     return app.add_option_function<std::string>(option, parse, description)->type_name(type);
@@ -79,7 +80,7 @@ void add_phase(CLI::App& app, DrawingOptions& options) {
                                        "micrometres; default droplets:10 in exp fog, "
                                        "isotropic in exp2)");
   add_named("--phase-g", "NUMBER", "hg:", "Short for --phase hg:NUMBER")->excludes(phase);
-  add_number(app, "--albedo", options.albedo, kAlbedo,
+  add_number(app, "--albedo", options.albedo, kFraction,
              "With airlight: fraction of the light taken by the fog that it scatters, in place of the scene's");
 }
 
@@ -128,7 +129,7 @@ render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& p
 Atmosphere DrawingOptions::atmosphere_of(const scene::Scene& scene, double metres) const {
   Atmosphere air = scene.atmosphere.with(fog_at(metres));
   if (!phase.empty()) {
-    air.phase = phase_named(phase).value();
+    air.phase = files::phase_named(phase).value();
   } else if (fog_mode() == FogMode::exp2 && !scene.states_phase) {
     air.phase = {};
   }
@@ -274,7 +275,7 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
       {{options.fog_light ? "--fog-light peak" : name,
         is_peak,
         {"--phase", "--phase-g", "--albedo"},
-        "only airlight has it"},
+        "only airlight scatters by it"},
        {name, path.maps == render::LightMapSet::none, {"--map-size", "--cone-maps"}, "it has no light maps"},
        {name, !is_hales_lookup(path), {"--flat-shading", "--light-ambient"}, "only lookup-3d and lookup-2d have it"},
        {name,

@@ -31,7 +31,7 @@ struct DrawingOptions {
   double contrast = kContrastMor;                  ///< that is left at the visibility, (0, 1)
   std::optional<double> runway_visual_range = {};  ///< metres, in place of the visibility
   RunwayLights runway_lights = {};
-  std::string phase = {};             ///< of the fog, as phase_named() takes it; default: the scenes' own
+  std::string phase = {};             ///< of the fog, as files::phase_named() takes it; default: the scenes' own
   std::optional<double> albedo = {};  ///< of the fog, [0, 1]; default: the scenes' own
   std::optional<std::vector<FogLayer>> layers = {};  ///< of the fog; default: the scenes' own
   std::string layers_file = {};                      ///< that states them; "none" or empty: none does

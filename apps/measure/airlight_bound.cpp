@@ -18,6 +18,7 @@ double largest_cosine(const PlacedLight& light, const EyeRay& ray, double first,
   constexpr double kRounding = 1e-9;
   const glm::dvec3 to_light = light.position - ray.origin;
   const auto cosine_at = [&](double along) {
+    if (std::isinf(along)) return glm::dot(ray.direction, light.direction);
     const glm::dvec3 from_light = along * ray.direction - to_light;
     const double range = glm::length(from_light);
     return range > 0 ? glm::dot(from_light, light.direction) / range : 1;

@@ -40,7 +40,8 @@ std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const At
     const Light& light = placed.light;
     // Beyond a light's end a(r) is below the threshold, and the fog's weights along a ray sum to less than 1.
     const double each = kCutOff * std::exp2(-exposure) / double(scene.lights.size());
-    const double brightest = airlight_unit(atmosphere) * render::largest_component(light.color) * largest_phase(atmosphere.phase);
+    const double brightest =
+        airlight_unit(atmosphere) * render::largest_component(light.color) * largest_phase(atmosphere.phase);
     const double fog_threshold =
         has_far_ends && brightest > 0 ? std::min(light.threshold, each / brightest) : light.threshold;
     const double extent = compute_extent(light.attenuation, light.threshold);

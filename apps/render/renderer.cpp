@@ -295,8 +295,7 @@ void Renderer::draw_pane_geometry(const GeometryBuffer& geometry, int layer) {
 }
 
 std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan) {
-  const auto airlight =
-      airlight_ ? std::optional(PaneAirlight{airlight_->lights, airlight_->far}) : std::nullopt;
+  const auto airlight = airlight_ ? std::optional(PaneAirlight{airlight_->lights, airlight_->far}) : std::nullopt;
   Compositor::begin_panes();
   const std::size_t bytes =
       surfaces_.draw_panes(*settings_.path, plan, view, shadows(), airlight ? &*airlight : nullptr);

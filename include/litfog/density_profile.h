@@ -49,8 +49,8 @@ std::optional<ValueError> find_error(const DensityProfile& profile);
 
 /// A layer of fog, as Weather Control of the Common Image Generator Interface states one. Within the layer the density
 /// is that of the visibility. The transition bands lie outside, below the base and above the top: in them the density
-/// falls linearly to 0. (CIGI ICD 3.3 has "transition bands above and/or below a cloud or fog layer" at its parameter
-/// Scud Frequency; that the fall is linear is litfog's choice.) Finite heights are at most 16777216 in magnitude.
+/// falls linearly to 0. (By a vendor's description, bands lie above or below a layer; the interface control document
+/// was not at hand, and that the fall is linear is litfog's choice.) Finite heights are at most 16777216 in magnitude.
 struct FogLayer {
   double base = -std::numeric_limits<double>::infinity();  ///< metres; -infinity: it has no base
   double top = std::numeric_limits<double>::infinity();    ///< metres, above the base; infinity: it has no top

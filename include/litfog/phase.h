@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string_view>
 
 #include "litfog/value_error.h"
 
@@ -47,11 +46,6 @@ struct Phase {
 std::optional<ValueError> find_error(const Phase& phase);
 
 inline constexpr const char* kAsymmetryRule = "must be in (-1, 1)";
-inline constexpr const char* kPhaseRule =
-    "must be isotropic, hg:G with G in (-1, 1) or droplets:D with D of 5 to 50 micrometres";
-
-/// The phase function of a name as kPhaseRule has it; nothing for other names.
-std::optional<Phase> phase_named(std::string_view name);
 
 bool is_isotropic(const Phase& phase);
 

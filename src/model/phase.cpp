@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/phase.h"
 
-#include <charconv>
 #include <cmath>
 
 #include "model/phase_text.h"
 #include "model/require.h"
 
 namespace litfog {
-namespace {
-
-/// The number after a prefix; nothing where the text is not the prefix and a number.
-std::optional<double> number_after(std::string_view prefix, std::string_view text) {
-  if (!text.starts_with(prefix)) return std::nullopt;
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [parsed, error] = std::from_chars(text.data() + prefix.size(), end, number);
-  return error == std::errc{} && parsed == end ? std::optional(number) : std::nullopt;
-}
-
-}  // namespace
-
 Phase Phase::droplets(double micrometres) {
   const double d = micrometres;
   if (!(d >= kSmallestDroplets && d <= kLargestDroplets)) require(ValueError{"micrometres", d, "must be in [5, 50]"});
@@ -39,17 +25,6 @@ std::optional<ValueError> find_error(const Phase& phase) {
   }
   if (!(phase.weight >= 0 && phase.weight <= 1)) return ValueError{"weight", phase.weight, "must be in [0, 1]"};
   return std::nullopt;
-}
-
-std::optional<Phase> phase_named(std::string_view name) {
-  if (name == "isotropic") return Phase{};
-  if (const auto asymmetry = number_after("hg:", name)) {
-    const Phase phase = Phase::henyey_greenstein(*asymmetry);
-    return find_error(phase) ? std::nullopt : std::optional(phase);
-  }
-  const auto diameter = number_after("droplets:", name);
-  if (!diameter || !(*diameter >= kSmallestDroplets && *diameter <= kLargestDroplets)) return std::nullopt;
-  return Phase::droplets(*diameter);
 }
 
 bool is_isotropic(const Phase& phase) { return phase_text::litfog_is_isotropic(phase_text::pack<double>(phase)); }

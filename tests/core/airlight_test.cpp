@@ -91,6 +91,10 @@ class Definition {
       add_changes([&](Real s) { return cosine(s) - std::cos(Real(cone.inner)); });
       add_changes([&](Real s) { return cosine(s) - std::cos(Real(cone.outer)); });
     }
+    for (const DensityKnot& knot : c_.atmosphere.profile.used()) {
+      const Real s = (Real(knot.height) - Real(c_.ray.origin.y)) / direction_.y;
+      if (s > 0 && s < end) cuts.push_back(s);
+    }
     std::sort(cuts.begin(), cuts.end());
     Real sum = 0;
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
@@ -128,8 +132,40 @@ class Definition {
     Real value =
         density_ * (c_.atmosphere.fog.mode == FogMode::exp ? 1 : 2 * density_ * s) * std::exp(-optical_depth(s));
     if (c_.lamp_leg == LampLeg::fogged) value *= std::exp(-optical_depth(r));
+    if (c_.atmosphere.profile.count > 0) {
+      const Real eye = c_.ray.origin.y, lamp = c_.light.position.y, height = eye + s * direction_.y;
+      const Real lit = c_.lamp_leg == LampLeg::fogged ? layered_depth(lamp, height, r) : 0;
+      value = density_at(height) * std::exp(-layered_depth(eye, height, s) - lit);
+    }
     value *= phase(r > 0 ? -glm::dot(from_light(s), direction_) / r : Real(-1));
     return value * beam(s) / std::max(Real(1), denominator(r));
+  }
+  Real density_at(Real height) const {
+    const auto knots = c_.atmosphere.profile.used();
+    Real density = knots.front().density;
+    for (std::size_t i = 0; i + 1 < knots.size(); ++i) {
+      const Real from = knots[i].height, to = knots[i + 1].height;
+      if (height >= to) density = knots[i + 1].density;
+      if (height > from && height < to) {
+        const Real part = (height - from) / (to - from);
+        density = (1 - part) * Real(knots[i].density) + part * Real(knots[i + 1].density);
+      }
+    }
+    return density_ + Real(c_.light.light.density_scale) * density;
+  }
+  /// The density in the middle of each part between knots is its mean there.
+  Real layered_depth(Real height_a, Real height_b, Real length) const {
+    std::vector<Real> heights{std::min(height_a, height_b), std::max(height_a, height_b)};
+    if (!(heights[1] > heights[0])) return density_at(height_a) * length;
+    for (const DensityKnot& knot : c_.atmosphere.profile.used()) {
+      if (knot.height > heights[0] && knot.height < heights[1]) heights.push_back(knot.height);
+    }
+    std::sort(heights.begin(), heights.end());
+    Real sum = 0;
+    for (std::size_t i = 0; i + 1 < heights.size(); ++i) {
+      sum += (heights[i + 1] - heights[i]) * density_at((heights[i] + heights[i + 1]) / 2);
+    }
+    return sum / (heights.back() - heights.front()) * length;
   }
   Real phase(Real mu) const {
     const auto [first, second, weight] = c_.atmosphere.phase;
@@ -293,9 +329,8 @@ typename Text::LitfogAirlight seen_exactly(const AirlightCase& c) {
   const auto real = [](const Digits50& x) { return x.convert_to<long double>(); };
   const Light& light = c.light.light;
   const long double extent = real(reference_extent(light.attenuation, light.threshold));
-  auto air =
-      Text{airlight_text::NoCookie{}}.seen_along(c.light, extent, c.atmosphere.fog, c.ray, c.lamp_leg,
-                                                 phase_text::pack<long double>(c.atmosphere.phase));
+  auto air = Text{airlight_text::NoCookie{}}.seen_along(c.light, extent, c.atmosphere.fog, c.ray, c.lamp_leg,
+                                                        phase_text::pack<long double>(c.atmosphere.phase));
   air.approach = real(along * ray_length);
   air.offset = real(sqrt(dot(offset, offset)));
   air.axis_offset = real(dot(offset, axis) / axis_length);
@@ -550,18 +585,13 @@ TEST(Airlight, FastFormHasItsStatedErrorsForSpotsInEveryRegion) {
 
 TEST(Airlight, FastFormHasItsStatedErrorsByEveryPhaseFunction) {
   constexpr int kRays = 2000;
-  const std::pair<const char*, Phase> kPhases[]{{"g = -0.9", Phase::henyey_greenstein(-0.9)},
-                                                {"g = -0.5", Phase::henyey_greenstein(-0.5)},
-                                                {"g = 0.5", Phase::henyey_greenstein(0.5)},
-                                                {"g = 0.85", Phase::henyey_greenstein(0.85)},
-                                                {"g = 0.95", Phase::henyey_greenstein(0.95)},
-                                                {"g = 0.99", Phase::henyey_greenstein(0.99)},
-                                                {"Rayleigh", {.first = {.alpha = 1}}},
-                                                {"forwards and backwards", {{0.9, 1}, {-0.8, 0}, 0.7}},
-                                                {"droplets of 5", Phase::droplets(5)},
-                                                {"droplets of 10", Phase::droplets(10)},
-                                                {"droplets of 20", Phase::droplets(20)},
-                                                {"droplets of 50", Phase::droplets(50)}};
+  const std::pair<const char*, Phase> kPhases[]{
+      {"g = -0.9", Phase::henyey_greenstein(-0.9)}, {"g = -0.5", Phase::henyey_greenstein(-0.5)},
+      {"g = 0.5", Phase::henyey_greenstein(0.5)},   {"g = 0.85", Phase::henyey_greenstein(0.85)},
+      {"g = 0.95", Phase::henyey_greenstein(0.95)}, {"g = 0.99", Phase::henyey_greenstein(0.99)},
+      {"Rayleigh", {.first = {.alpha = 1}}},        {"forwards and backwards", {{0.9, 1}, {-0.8, 0}, 0.7}},
+      {"droplets of 5", Phase::droplets(5)},        {"droplets of 10", Phase::droplets(10)},
+      {"droplets of 20", Phase::droplets(20)},      {"droplets of 50", Phase::droplets(50)}};
   Random random(66);
   for (const auto& [name, phase] : kPhases) {
     for (const FogMode mode : kModes) {
@@ -580,6 +610,59 @@ TEST(Airlight, FastFormHasItsStatedErrorsByEveryPhaseFunction) {
                      is_shaped ? kShapedAirlightMaxError : kAirlightMaxError);
       }
     }
+  }
+}
+
+AirlightCase draw_layered_airlight_case(Random& random, bool is_spot) {
+  const LampLeg leg = random.pick(kLampLegs);
+  AirlightCase c = random.chance(0.5) ? draw_photometric_airlight_case(random, FogMode::exp, leg)
+                                      : draw_airlight_case(random, FogMode::exp, leg);
+  if (is_spot) turn_into_spot(random, c);
+  if (random.chance(0.5)) c.atmosphere.phase = draw_phase(random);
+  draw_layers(random, c);
+  return c;
+}
+
+TEST(Airlight, ReferenceInLayersIsTheDefinitionByAnotherQuadrature) {
+  Random random(95);
+  WorstError error("reference_airlight", "in layers of fog", kReferenceAirlightMaxError, "relative");
+  for (int i = 0; i < 150; ++i) {
+    AirlightCase c = draw_layered_airlight_case(random, i % 3 == 0);
+    if (std::isinf(c.ray.length)) c.ray.length = 5000;
+    const double expected = double(Definition(c).integral());
+    if (expected < 1e-9) continue;
+    error.add(relative_error(reference_of(c), expected), [&] { return to_string(c); });
+  }
+  error.check();
+}
+
+TEST(Airlight, FastFormHasItsStatedErrorsInLayers) {
+  Random random(96);
+  for (const bool is_spot : {false, true}) {
+    expect_small(find_errors(8000, kDimAirlight, [&] { return draw_layered_airlight_case(random, is_spot); }),
+                 kAirlightTypicalError, std::string("in layers, ") + (is_spot ? "spots" : "points"),
+                 is_spot ? kAirlightMaxError : kShapedAirlightMaxError);
+  }
+}
+
+TEST(Airlight, AirlightWhereEyeLampAndEndAreAtKnotsIsThatBesideThem) {
+  const std::array<DensityKnot, 4> knots{{{-3, 0.02}, {0, 0.3}, {2, 0}, {5, 0.1}}};
+  Random random(97);
+  for (int i = 0; i < 2000; ++i) {
+    AirlightCase c = looking({1, 0, 0.1}, Fog{FogMode::exp, random.pick(std::array{0.0, 0.01})}, LampLeg::fogged,
+                             {random.uniform(-3, 3), random.pick(knots).height, -4});
+    c.atmosphere.profile = make_density_profile(std::span<const DensityKnot>(knots));
+    c.ray.origin.y = random.pick(knots).height;
+    const glm::dvec3 end{random.uniform(-2, 2), random.pick(knots).height, -9};
+    c.ray.direction = glm::normalize(end - c.ray.origin);
+    c.ray.length = glm::distance(end, c.ray.origin);
+    const double value = airlight_of(c);
+    AirlightCase beside = c;
+    beside.ray.origin.y = std::nextafter(c.ray.origin.y, random.chance(0.5) ? -9 : 9);
+    beside.light.position.y = std::nextafter(c.light.position.y, random.chance(0.5) ? -9 : 9);
+    ASSERT_TRUE(std::isfinite(value)) << to_string(c);
+    ASSERT_NEAR(airlight_of(beside), value, 1e-7 * std::max(value, 1e-3)) << to_string(c);
+    ASSERT_NEAR(value, reference_of(c), 0.01 * value) << to_string(c);
   }
 }
 

@@ -123,11 +123,11 @@ TEST(FogLightBlock, BlockHoldsFogCountAndAmbientColor) {
   const std::vector<FogIntensity> solutions(3, kSolution);
   const FogLightBlock exp_block =
       pack_fog_light_block({.fog = {FogMode::exp, 0.125}, .ambient_fog_color = {0.1, 0.2, 0.3}}, lights, solutions);
-  EXPECT_EQ(exp_block.header.fog, glm::vec4(0.125, 0, 3, 0));
+  EXPECT_EQ(exp_block.header.fog, glm::vec4(0.125, 0, 3, 1));
   EXPECT_EQ(exp_block.header.ambient_fog_color, glm::vec4(0.1f, 0.2f, 0.3f, 0));
   const FogLightBlock exp2_block =
       pack_fog_light_block({.fog = {FogMode::exp2, 0.25}, .ambient_fog_color = {0.1, 0.2, 0.3}}, lights, solutions);
-  EXPECT_EQ(exp2_block.header.fog, glm::vec4(0.25, 1, 3, 0));
+  EXPECT_EQ(exp2_block.header.fog, glm::vec4(0.25, 1, 3, 1));
 }
 
 TEST(FogLightBlock, HeaderHoldsTheKnotsOfLayersWithZerosBehindThem) {

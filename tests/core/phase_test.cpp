@@ -123,17 +123,6 @@ TEST(Phase, LargestValueOfTwoLobesIsNeverBelowTheirSum) {
   }
 }
 
-TEST(Phase, NamesAreThoseOfTheRule) {
-  EXPECT_EQ(phase_named("isotropic"), Phase{});
-  EXPECT_EQ(phase_named("hg:0.85"), Phase::henyey_greenstein(0.85));
-  EXPECT_EQ(phase_named("hg:-0.5"), Phase::henyey_greenstein(-0.5));
-  EXPECT_EQ(phase_named("droplets:20"), Phase::droplets(20));
-  for (const char* wrong : {"", "hg", "hg:", "hg:1", "hg:nan", "hg:0.5 ", "droplets:4.9", "droplets:51", "droplets:x",
-                            "Isotropic", "rayleigh"}) {
-    EXPECT_EQ(phase_named(wrong), std::nullopt) << wrong;
-  }
-}
-
 TEST(Phase, WrongMembersAreErrors) {
   const auto error_of = [](const Phase& phase) {
     const auto error = find_error(phase);

@@ -460,7 +460,7 @@ TEST_F(DemoCommand, LayersAreReadFromAFileOrLeftOut) {
   ASSERT_EQ(run(peak + "--visibility inf -o plain.exr").status, kDone);
   EXPECT_NE(read("low.exr"), read("clear.exr"));
   EXPECT_EQ(read("plain.exr"), read("clear.exr"));
-  EXPECT_ERROR(run("room --layers wrong.json"), kBadInput, "wrong.json:1:25: [0].top_m = 1: must be above the base");
+  EXPECT_ERROR(run("room --layers wrong.json"), kBadInput, "wrong.json:1:25: [0].top_m = 1: must be above the base\n");
   EXPECT_ERROR(run("room --fog exp2 --layers layers.json"), kUsage,
                "litfog-demo: --fog = exp2: must be exp where the air has layers: --layers none draws it without" +
                    std::string(kSeeHelp));

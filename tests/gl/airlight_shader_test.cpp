@@ -23,6 +23,7 @@ namespace {
 class AirlightShader : public GlTest {};
 
 constexpr int kRays = 8000;
+constexpr double kFarthest = 4e5;    // fog scales to the lamp: of larger ranges, a float has too few digits
 constexpr double kNarrowest = 0.02;  // radians: of narrower cones, a float has too few digits of the cosine
 
 constexpr double kDim = 1e-5;  // fraction of white, a thirtieth of a step of the display: less is rounding of floats
@@ -124,6 +125,7 @@ std::vector<ShaderCase> draw_cases(Random& random, FogMode mode, LampLeg leg, bo
   while (cases.size() < kRays) {
     AirlightCase drawn = is_spot ? draw_spot_airlight_case(random, mode, leg) : draw_airlight_case(random, mode, leg);
     if (is_spot && cutoff_angle(drawn.light.light.cone) <= kNarrowest) continue;
+    if (glm::distance(drawn.light.position, drawn.ray.origin) * drawn.atmosphere.fog.density > kFarthest) continue;
     if (!is_isotropic) drawn.atmosphere.phase = draw_phase(random);
     cases.push_back(shader_case(drawn));
   }

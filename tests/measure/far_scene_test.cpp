@@ -117,7 +117,7 @@ INSTANTIATE_TEST_SUITE_P(FarScene, FarScenePath, testing::ValuesIn(lighting_path
 
 TEST_F(FarScene, AirlightStaysAsItIsAtTheOrigin) {
   Scene scene = yard();
-  scene.atmosphere.phase.first.asymmetry = 0.6;
+  scene.atmosphere.phase = Phase::henyey_greenstein(0.6);
   scene.atmosphere.top = 4;
   const Fog fog = Fog::from_visibility(FogMode::exp, 30.0);
   expect_alike_far_away(scene, fog, {.fog_lighting = FogLighting::airlight}, "airlight");

@@ -275,7 +275,8 @@ Scene posts_in_fog() {
 
 // The error falls with the steps to what the texels of the maps leave.
 TEST_F(ReferenceShadow, ShaftsComeNearToRaysAsStepsGrow) {
-  const Scene scene = posts_in_fog();
+  Scene scene = posts_in_fog();
+  scene.atmosphere.phase = {};
   const Fog fog = Fog::from_visibility(FogMode::exp, 40.0);
   struct StepBound {
     int steps;

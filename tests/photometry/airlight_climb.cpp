@@ -92,9 +92,10 @@ struct Climb {
   bool needs_isotropic_fog_on_both_legs = false;
 
   double bound_of(const ClimbKind& kind) const {
-    const bool is_shaped = kind.shape == LampShape::point && kind.is_directional && kind.mode == FogMode::exp &&
-                           kind.lamp_leg == LampLeg::fogged;
-    return is_shaped && bound == 255 * kAirlightMaxError ? 255 * kShapedAirlightMaxError : bound;
+    const bool is_shaped = kind.shape != LampShape::cookie && kind.is_directional && kind.mode == FogMode::exp &&
+                           kind.lamp_leg == LampLeg::fogged && bound == 255 * kAirlightMaxError;
+    if (!is_shaped) return bound;
+    return 255 * (kind.shape == LampShape::point ? kShapedAirlightMaxError : kShapedConeAirlightMaxError);
   }
 };
 

@@ -20,7 +20,7 @@ enum class LampShape { point, cosine, smoothstep, cookie };
 /// What a climb keeps as it is.
 struct ClimbKind {
   LampShape shape;
-  bool is_directional;  ///< whether the fog scatters forward or backward, |g| up to 0.9; isotropic else
+  bool is_directional;  ///< whether the fog scatters forward or backward, |g| up to 0.99 or droplets; isotropic else
   FogMode mode;
   LampLeg lamp_leg;
 };
@@ -29,7 +29,7 @@ struct ClimbKind {
 inline std::string to_string(const ClimbKind& kind) {
   constexpr std::array kShapes{"points", "cosine cones", "smoothstep cones", "cookies"};
   return std::string(kShapes[std::size_t(kind.shape)]) + "," + name_of(kind.mode) +
-         (kind.lamp_leg == LampLeg::fogged ? ",1" : ",0") + (kind.is_directional ? ",0.9" : ",0");
+         (kind.lamp_leg == LampLeg::fogged ? ",1" : ",0") + (kind.is_directional ? ",0.99" : ",0");
 }
 
 /// A point of the space that is searched: each number in [0, 1].

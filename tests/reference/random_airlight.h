@@ -7,9 +7,11 @@
 #include <cstdio>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <span>
 #include <string>
 
 #include "litfog/airlight.h"
+#include "litfog/density_profile.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 
@@ -33,13 +35,13 @@ inline std::string to_string(const AirlightCase& c) {
   const double approach = glm::dot(to_light, c.ray.direction);
   char text[768];
   std::snprintf(text, sizeof text,
-                "; k = %d, lobes %.17g %.17g, %.17g %.17g by %.17g, cone %d: half angle %.17g, exponent %.17g, inner %.17g, outer %.17g; approach "
+                "; k = %d, lobes %.17g %.17g, %.17g %.17g by %.17g, cone %d: half angle %.17g, exponent %.17g, inner "
+                "%.17g, outer %.17g; approach "
                 "%.17g, offset %.17g, axis %.17g along the ray, %.17g to it, length %.17g",
                 c.lamp_leg == LampLeg::fogged, c.atmosphere.phase.first.asymmetry, c.atmosphere.phase.first.alpha,
                 c.atmosphere.phase.second.asymmetry, c.atmosphere.phase.second.alpha, c.atmosphere.phase.weight,
-                int(cone.profile), cone.half_angle,
-                cone.exponent, cone.inner, cone.outer, approach, glm::length(to_light - approach * c.ray.direction),
-                glm::dot(c.light.direction, c.ray.direction),
+                int(cone.profile), cone.half_angle, cone.exponent, cone.inner, cone.outer, approach,
+                glm::length(to_light - approach * c.ray.direction), glm::dot(c.light.direction, c.ray.direction),
                 glm::dot(c.light.direction, approach * c.ray.direction - to_light), c.ray.length);
   return to_string(SolveCase{light.attenuation, c.atmosphere.fog, light.threshold}) + text;
 }
@@ -61,6 +63,29 @@ inline Phase draw_phase(Random& random) {
   };
   if (random.chance(0.5)) return {.first = draw_lobe()};
   return {draw_lobe(), draw_lobe(), random.uniform(0, 1)};
+}
+
+/// Gives a case in exp fog one or two layers of about the fog's density near the heights of its eye and lamp, some with
+/// a step for a transition band, and half of the time no fog outside of them.
+inline void draw_layers(Random& random, AirlightCase& c) {
+  const double eye = c.ray.origin.y, lamp = c.light.position.y;
+  const double size = std::max(std::abs(lamp - eye), 0.05 * glm::distance(c.ray.origin, c.light.position));
+  if (!(size > 0)) return;
+  const double height = std::min(eye, lamp) + size * random.uniform(-0.5, 1.5);
+  const double band = random.chance(0.3) ? 0 : size * random.log_uniform(0.01, 1);
+  const double visibility = -std::log(kContrastMor) / c.atmosphere.fog.density;
+  std::array<FogLayer, 2> layers{};
+  layers[0] = {.transition = band, .visibility = visibility};
+  if (random.chance(0.67)) layers[0].base = height;
+  if (layers[0].base != height) {
+    layers[0].top = height;
+  } else if (random.chance(0.5)) {
+    layers[0].top = height + size * random.log_uniform(0.01, 1);
+  }
+  layers[1] = {
+      .top = height - 0.2 * size, .transition = 0.1 * size, .visibility = visibility * random.log_uniform(0.1, 10)};
+  c.atmosphere.profile = make_density_profile(std::span<const FogLayer>(layers).first(random.chance(0.7) ? 1 : 2));
+  c.atmosphere.fog.density *= random.chance(0.5) ? 0 : random.log_uniform(0.01, 1);
 }
 
 /// Point lights as they occur with some of their kinds' corners, in fog from clear to a visibility of 5 cm, and rays

@@ -710,6 +710,7 @@ TEST_F(RendererTest, FogBeyondAllThatCastsShadowsIsLit) {
   lamp.position = {0, 3, 0};
   lamp.direction = {1, 0, 0};
   scene.lights.push_back(lamp);
+  scene.atmosphere.phase = {};
   const Fog fog = Fog::from_visibility(FogMode::exp, 200);
   const Picture whole = draw(scene, fog, {.fog_lighting = FogLighting::airlight});
   ASSERT_GT(pixel(whole, kWidth / 2, kHeight / 2).g, 0.02);

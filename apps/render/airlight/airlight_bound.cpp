@@ -20,7 +20,9 @@ namespace {
 constexpr double kSmallestAngle = 1e-4;  // radians: of the series, below which the peak of every lobe is flat
 
 /// Angle i of the series.
-double angle_of(double i, int angles) { return kSmallestAngle * std::pow(std::numbers::pi / kSmallestAngle, i / angles); }
+double angle_of(double i, int angles) {
+  return kSmallestAngle * std::pow(std::numbers::pi / kSmallestAngle, i / angles);
+}
 
 }  // namespace
 

@@ -74,7 +74,7 @@ class AirlightBound {
   Phase phase_;
   bool is_isotropic_;
   std::array<double, kAngles + 1> phase_integrals_;  // from each angle of a geometric series to pi
-  double brightness_;  // in isotropic fog
+  double brightness_;                                // in isotropic fog
   double eye_range_;
   double weight_;  // of any ray
 };

@@ -62,7 +62,8 @@ double find_bend_range(const AirlightBound& bound, double narrowing, double pixe
 }  // namespace
 
 AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
-                           double pixels_per_radian, double exposure, std::span<const std::int32_t> casters) {
+                           double pixels_per_radian, double exposure, std::span<const std::int32_t> casters,
+                           bool beyond_extents) {
   if (lights.size() == 0 || !(atmosphere.thickest_fog().density > 0)) return {};
   const double budget = kAirlightShare * visible_step(exposure) / double(lights.size());
   const double gain = std::exp2(exposure);
@@ -77,7 +78,8 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
     const double eye_range = std::max(glm::distance(eye, placed.position), 1e-6);
     const AirlightBound bound(placed, lights.extents()[i], atmosphere, eye);
     const bool has_shafts = !casters.empty() && casters[i] >= 0;
-    const double reach = std::max(bound.reach(budget), has_shafts ? 0 : bound.far_peak_reach(budget));
+    const double far_peak_reach = beyond_extents && !has_shafts ? bound.far_peak_reach(budget) : 0;
+    const double reach = std::max(bound.reach(budget), far_peak_reach);
     if (!(reach > 0)) continue;
     const double pixel = eye_range / pixels_per_radian;
     const SeenBeam beam = see_beam(placed, (eye - placed.position) / eye_range);
@@ -91,7 +93,7 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
     found.push_back(
         {{.profile = int(lights.instances()[i].axis_profile.w),
           .has_shafts = has_shafts,
-          .has_knee = placed.light.attenuation.constant < 1},
+          .has_knee = placed.light.attenuation.constant<1, .has_far_peak = far_peak_reach> 0},
          {.light = float(i),
           .reach = float(reach),
           .bend_range = float(is_beam ? std::min(beam_range, AirlightBound::kFarthestReach)

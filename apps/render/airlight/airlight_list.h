@@ -29,9 +29,10 @@ struct AirlightEntry {
 
 /// Lights of one kind are drawn by one program.
 struct AirlightKind {
-  int profile;              ///< FogLightInstance
-  bool has_shafts = false;  ///< shadows cut shafts into the airlight
-  bool has_knee = false;    ///< attenuation's constant below 1: full brightness up to a range
+  int profile;                ///< FogLightInstance
+  bool has_shafts = false;    ///< shadows cut shafts into the airlight
+  bool has_knee = false;      ///< attenuation's constant below 1: full brightness up to a range
+  bool has_far_peak = false;  ///< shaders/airlight/far_peak.glsl
 
   auto operator<=>(const AirlightKind&) const = default;
 };
@@ -54,7 +55,9 @@ struct AirlightList {
 /// pixels_per_radian  of the picture, at its middle
 /// exposure           EV at which it is shown
 /// casters            of each light: its number among those that cut shafts, or below 0; empty: none cuts any
+/// beyond_extents     whether lights without shafts light the fog beyond their extents
 AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
-                           double pixels_per_radian, double exposure, std::span<const std::int32_t> casters = {});
+                           double pixels_per_radian, double exposure, std::span<const std::int32_t> casters = {},
+                           bool beyond_extents = true);
 
 }  // namespace litfog::render

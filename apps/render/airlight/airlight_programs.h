@@ -15,8 +15,8 @@ namespace litfog::render {
 inline constexpr int kCookieProfile = int(LITFOG_PROFILE_COOKIE);  ///< profile of a light with a cookie, in shaders
 
 /// Compiles two shaders once for each kind of lights, fog mode, number of knots of its layers and even or uneven
-/// scattering, when first asked for, so that the compiler drops what a kind does not need. The shaders include airlight_constants.glsl. Needs a current GL
-/// context.
+/// scattering, when first asked for, so that the compiler drops what a kind does not need. The shaders include
+/// airlight_constants.glsl. Needs a current GL context.
 class AirlightPrograms {
  public:
   AirlightPrograms(const char* vertex_file, const char* fragment_file)

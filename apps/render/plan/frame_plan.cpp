@@ -167,8 +167,8 @@ void FramePlanner::make_plan(const FrameView& view) {
 
 void FramePlanner::plan_airlight(const FrameView& view) {
   const double exposure = view.exposures.airlight;
-  plan_.airlights =
-      list_airlight(lights_, atmosphere_, view.camera.position, view.pixels_per_radian, exposure, shaft_casters_);
+  plan_.airlights = list_airlight(lights_, atmosphere_, view.camera.position, view.pixels_per_radian, exposure,
+                                  shaft_casters_, lights_fog_beyond_end(settings_));
   plan_.airlight_tiles = list_airlight_tiles(plan_.airlights, view.camera, view.picture_size, kCoarsestGrid);
   if (lights_fog_beyond_end(settings_)) {
     plan_.far_airlights = list_far_airlight(lights_, atmosphere_, view.camera.position, exposure, shaft_casters_);

@@ -23,6 +23,7 @@
 #include "files/json_text.h"
 #include "files/light_json.h"
 #include "litfog/files/light_file.h"
+#include "litfog/files/phase_name.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
@@ -182,8 +183,8 @@ struct Vehicle {
 };
 
 Phase read_phase(const JsonValue& value) {
-  const auto phase = phase_named(value.string());
-  if (!phase) value.fail(kPhaseRule);
+  const auto phase = files::phase_named(value.string());
+  if (!phase) value.fail(files::kPhaseRule);
   return *phase;
 }
 

@@ -4,7 +4,7 @@
 //   A = integral over s in [0, D] of  -f'(s) a(r) cone(u) f(r)^k phase(theta)  ds
 //
 // s from the eye, r and u the range and angle from the lamp, theta the angle of scattering. GLSL includes this file
-// like any other; C++ takes the same text through src/airlight_text.h.
+// like any other; C++ takes the same text through src/airlight/airlight_text.h.
 //
 // Method. Along the ray, x is the distance from the closest approach to the lamp. The part of the ray that can
 // contribute (inside extent, cone and the fog's reach) is cut where the integrand is not smooth: at the closest
@@ -14,12 +14,16 @@
 // in which both the falloff of the lamp (of width w) and that of the fog (of rate q) are nearly straight; x0 is where
 // the lit part begins on that side. A point lamp in isotropic fog has a closed form on the plateau and takes 7 nodes
 // elsewhere, which lie closer where its light is brighter, 8 in exp2 fog; a beam takes some 20, one wider than 90
-// degrees some 28, a phase function as many as phase.glsl states, a cookie some 128 (light_airlight.glsl chooses by
-// what the lamp can show). Each piece takes at least 5 of them and a fifth, so that a bright piece short in t is not
-// left to one.
+// degrees some 28, a cookie some 128 (light_airlight.glsl chooses by what the lamp can show). Each piece takes at least
+// 5 of them and a fifth, so that a bright piece short in t is not left to one.
 //
-// Errors and what they were measured on: litfog/airlight.h. In floats they hold for cones of at least 0.02 radians, for
-// a float has too few digits of the cosine of a narrower one; the relative error holds for airlight above 1e-5.
+// Where a phase function shapes the integrand in exp fog, q is 0 and a point lamp takes 8 nodes a side, bent towards the
+// closest approach where the ray passes inside the falloff. In layers the ray is also cut at their knots; of a piece of
+// which the fog hides one end from the other only the brighter one counts.
+//
+// Errors and what they were measured on: litfog/airlight.h. In floats they hold for cones of at least 0.02 radians and
+// lamps within 4e5 fog scales, for a float has too few digits of the cosine of a narrower cone and of a longer range; the
+// relative error holds for airlight above 1e-5.
 //
 // Loops test at their end. Drivers without branches (llvmpipe) run a body once more, for nothing, to find out at its
 // beginning that the loop has ended.
@@ -356,7 +360,7 @@ LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
   }
   if (litfog_airlight_is_shaped(air)) {
     if (!litfog_has_cone(air.profile)) return LITFOG_REAL(16.0);
-    return litfog_airlight_is_wide(air) ? LITFOG_REAL(40.0) : LITFOG_REAL(28.0);
+    return litfog_airlight_is_wide(air) ? LITFOG_REAL(56.0) : LITFOG_REAL(36.0);
   }
   if (!litfog_is_isotropic(air.phase)) {
     LITFOG_REAL peak = litfog_largest_phase(air.phase, LITFOG_REAL(0.0), LITFOG_REAL(2.0));
@@ -745,13 +749,8 @@ LITFOG_REAL litfog_airlight_bound(LitfogAirlight air, LitfogAirlightStretch stre
   }
   if (!litfog_is_isotropic(air.phase)) {
     LITFOG_REAL first = litfog_airlight_range(air, stretch.low);
-    LITFOG_REAL last = litfog_airlight_range(air, stretch.high);
-    if (first > LITFOG_REAL(0.0) && last > LITFOG_REAL(0.0)) {
-      beam *= litfog_largest_phase(air.phase, litfog_airlight_versine(air, stretch.low, first),
-                                   litfog_airlight_versine(air, stretch.high, last));
-    } else {
-      beam *= litfog_largest_phase(air.phase, LITFOG_REAL(0.0), LITFOG_REAL(2.0));
-    }
+    LITFOG_REAL least = first > LITFOG_REAL(0.0) ? litfog_airlight_versine(air, stretch.low, first) : LITFOG_REAL(0.0);
+    beam *= litfog_largest_phase(air.phase, least, LITFOG_REAL(2.0));
   }
   return beam * litfog_largest_airlight(weight, denominator, air.quadratic, size);
 }
@@ -822,7 +821,10 @@ LITFOG_REAL litfog_airlight_piece(LitfogAirlight air, LitfogAirlightShape shape,
   side.part = LITFOG_REAL(1.0);
   side.bend = LITFOG_REAL(0.0);
   if (!by_crossing && nearest <= LITFOG_REAL(0.0)) {
-    side.bend = litfog_airlight_shaped_bend(air, side, shape.falloff, shape.density);
+    // No nodes towards an approach that the fog hides from the other end.
+    LITFOG_REAL hides = -side.direction * hidden;
+    side.bend = litfog_airlight_shaped_bend(air, side, shape.falloff, shape.density) *
+                clamp(LITFOG_REAL(1.0) - hides / LITFOG_REAL(3.0), LITFOG_REAL(0.0), LITFOG_REAL(1.0));
   }
   LITFOG_REAL start = asinh(nearest / side.width);
   // Short and nearly straight pieces need fewer nodes, unless the closest approach or a beam's edge bends them.
@@ -920,7 +922,7 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
     beam_width = clamp(beam_width, LITFOG_REAL(0.25) * air.offset, LITFOG_REAL(2.0) * air.offset);
     width = min(width, max(beam_width, LITFOG_REAL(0.01) * falloff));
   }
-  LITFOG_REAL most = litfog_largest_phase(air.phase, LITFOG_REAL(0.0), LITFOG_REAL(2.0));
+  LITFOG_REAL largest = litfog_largest_phase(air.phase, LITFOG_REAL(0.0), LITFOG_REAL(2.0));
   if (is_layered) {
     LitfogAirlightShape shape;
     shape.density = density;
@@ -930,7 +932,7 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
     shape.crosses = crosses;
     shape.crossing = crossing;
     shape.beam_width = beam_width;
-    return clamp(litfog_airlight_in_layers(air, stretch, shape), LITFOG_REAL(0.0), most);
+    return clamp(litfog_airlight_in_layers(air, stretch, shape), LITFOG_REAL(0.0), largest);
   }
   LITFOG_REAL border = crosses ? LITFOG_REAL(0.5) * crossing : LITFOG_REAL(0.0);
 
@@ -984,7 +986,7 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
     i = litfog_airlight_used_side(i + 1, before, beyond, before_crossing, beyond_crossing);
   } while (i < 4);
   // No more than all that the fog takes from the ray is scattered into it.
-  return clamp(sum, LITFOG_REAL(0.0), most);
+  return clamp(sum, LITFOG_REAL(0.0), largest);
 }
 
 LITFOG_REAL litfog_airlight(LitfogAirlight air) { return litfog_airlight_along(air, litfog_airlight_stretch(air)); }

@@ -74,7 +74,8 @@ LITFOG_FUNCTION LITFOG_REAL litfog_mean_density(LITFOG_REAL height_a, LITFOG_REA
   LITFOG_REAL lowest = min(height_a, height_b);
   LITFOG_REAL highest = max(height_a, height_b);
   LITFOG_REAL rise = highest - lowest;
-  return rise > LITFOG_REAL(0.0) ? litfog_profile_column(lowest, highest) / rise : litfog_profile_density(lowest);
+  // The smallest rises of all have too few digits.
+  return rise > LITFOG_REAL(1.0e-30) ? litfog_profile_column(lowest, highest) / rise : litfog_profile_density(lowest);
 }
 
 // Optical depth of an endless ray, at most `endless`, which it is where the ray ends or stays in fog. The slope is the

@@ -14,6 +14,7 @@
 #define LITFOG_PHASE_GLSL
 
 #ifndef __cplusplus
+#include "litfog/shaders/expm1.glsl"  // the precision of floats
 #define LITFOG_REAL float
 #define LITFOG_FUNCTION
 

@@ -112,7 +112,7 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
     float range = ranges / float(run);
     vec3 added = litfog_light_airlight(shown, eye, direction, range) *
                  lit_fraction(light_index, light, direction, range);
-    if (!has_shafts) {
+    if (has_far_peak) {
       added += shown.color_intensity.rgb * (litfog_airlight_unit() * far_peak(light, eye, direction, range));
     }
     sum += 0.25 * float(run) * added;

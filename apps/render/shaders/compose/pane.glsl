@@ -29,7 +29,7 @@ vec3 airlight_before(vec3 position) {
     if (dot(offset, offset) > entry.y * entry.y) continue;
     float lit = has_shafts ? lit_fraction(index, light, direction, range) : 1.0;
     sum += lit * litfog_light_airlight(light, eye, direction, range);
-    if (!has_shafts) {
+    if (!has_shafts && far_depth > 0.0) {
       sum += light.color_intensity.rgb * (litfog_airlight_unit() * far_peak(light, eye, direction, range));
     }
   }
