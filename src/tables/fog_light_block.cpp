@@ -55,8 +55,10 @@ FogHeader pack_fog_header(const Atmosphere& atmosphere, std::size_t instances) {
   require_fog_light_count("instances", instances);
   const Fog& fog = atmosphere.fog;
   const auto phase = phase_text::pack<double>(atmosphere.phase);
+  // (1 - g)^2 of the largest float g below 1: the power 3/2 of less would be 0 in floats.
+  static constexpr double kLeastBase = 0x1p-48;
   const auto floats = [](const phase_text::PackedLobe<double>& lobe) {
-    return glm::vec4(lobe.base, lobe.slope, lobe.scale, lobe.alpha);
+    return glm::vec4(std::max(lobe.base, kLeastBase), lobe.slope, lobe.scale, lobe.alpha);
   };
   FogHeader header{
       .fog = {finite_float(fog.density), float(fog.mode), float(instances), float(atmosphere.albedo)},

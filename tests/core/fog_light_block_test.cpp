@@ -130,6 +130,18 @@ TEST(FogLightBlock, BlockHoldsFogCountAndAmbientColor) {
   EXPECT_EQ(exp2_block.header.fog, glm::vec4(0.25, 1, 3, 1));
 }
 
+TEST(FogLightBlock, HeaderHoldsTheLobesOfThePhaseFunction) {
+  const auto lobes = pack_fog_header({.phase = {{0.5, 2}, {-0.25, 0}, 0.75}}, 0).phase_lobes;
+  EXPECT_EQ(lobes[0], glm::vec4(0.25, 1, 0.75 * 0.75 / 2, 2));  // 1 + alpha (1 + 2 g^2) / 3 is 2
+  EXPECT_EQ(lobes[1], glm::vec4(0.5625, -0.5, 0.25 * 0.9375, 0));
+}
+
+TEST(FogLightBlock, NarrowestLobeIsFiniteInFloats) {
+  const glm::vec4 lobe = pack_fog_header({.phase = Phase::henyey_greenstein(1 - 0x1p-53)}, 0).phase_lobes[0];
+  EXPECT_GT(lobe.x * std::sqrt(lobe.x), 0.0f);
+  EXPECT_TRUE(std::isfinite(lobe.z / (lobe.x * std::sqrt(lobe.x))));
+}
+
 TEST(FogLightBlock, HeaderHoldsTheKnotsOfLayersWithZerosBehindThem) {
   const std::array<DensityKnot, 2> knots{{{100, 0.02}, {120, 1e300}}};
   const FogHeader header = pack_fog_header({.profile = make_density_profile(knots)}, 0);
