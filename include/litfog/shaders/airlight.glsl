@@ -354,7 +354,6 @@ LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
     return litfog_is_isotropic(air.phase) ? LITFOG_REAL(128.0) : LITFOG_REAL(160.0);
   }
   if (litfog_airlight_is_layered(air)) {  // of each piece
-    if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) return LITFOG_REAL(100.0);
     if (litfog_has_cone(air.profile)) return LITFOG_REAL(16.0);
     return litfog_is_isotropic(air.phase) ? LITFOG_REAL(8.0) : LITFOG_REAL(12.0);
   }
@@ -432,8 +431,8 @@ LITFOG_REAL litfog_airlight_shaped_scale(LITFOG_REAL density, bool beyond) {
 
 // The bend of a shaped lamp's side: by the logarithm of the offset, over which the phase function changes, to the
 // distance over which all else does, and falling again where that change is too short to count. A side that begins far
-// from the closest approach has the fraction of it that is left. The numbers gave the smallest errors of those tried, over the lamps and phase
-// functions of airlight_test.cpp.
+// from the closest approach has the fraction of it that is left. The numbers gave the smallest errors of those tried,
+// over the lamps and phase functions of airlight_test.cpp.
 LITFOG_REAL litfog_airlight_shaped_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL falloff,
                                         LITFOG_REAL density) {
   LITFOG_REAL scale = min(min(falloff, side.farthest),
