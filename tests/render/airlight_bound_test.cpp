@@ -23,7 +23,9 @@ TEST(RenderAirlightBound, NoMoreThanTheBudgetComesFromBehindTheEnd) {
     light.color = glm::dvec3(random.log_uniform(0.01, 100));
     const double budget = random.log_uniform(1e-8, 1e-3);
     const glm::dvec3 to_light = c.light.position - c.ray.origin;
-    const AirlightBound bound(c.light, compute_extent(light.attenuation, light.threshold), c.atmosphere, c.ray.origin);
+    const ScatteringBound scattering(c.atmosphere.phase);
+    const AirlightBound bound(c.light, compute_extent(light.attenuation, light.threshold), c.atmosphere, scattering,
+                              c.ray.origin);
     const double end = bound.end(budget);
     if (std::isinf(end)) continue;
     if (glm::length(to_light) > 0 && random.chance(0.5)) {  // close to the light, where it is brightest

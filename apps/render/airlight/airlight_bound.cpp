@@ -26,43 +26,41 @@ double angle_of(double i, int angles) {
 
 }  // namespace
 
+ScatteringBound::ScatteringBound(const Phase& phase) : phase_(phase), is_isotropic_(litfog::is_isotropic(phase)) {
+  for (int i = kAngles; i-- > 0 && !is_isotropic_;) {
+    const double angle = angle_of(i, kAngles);
+    integrals_[std::size_t(i)] =
+        integrals_[std::size_t(i) + 1] + largest_from(angle) * (angle_of(i + 1, kAngles) - angle);
+  }
+}
+
+double ScatteringBound::largest_from(double angle) const { return largest_phase(phase_, -1, std::cos(angle)); }
+
+double ScatteringBound::integral_from(double angle) const {
+  if (is_isotropic_) return std::numbers::pi - angle;
+  const double place = kAngles * std::log(angle / kSmallestAngle) / std::log(std::numbers::pi / kSmallestAngle);
+  if (!(place > 0)) return integrals_[0] + largest_from(0) * kSmallestAngle;
+  const double i = std::floor(place);
+  return integrals_[std::size_t(i) + 1] + largest_from(angle) * (angle_of(i + 1, kAngles) - angle);
+}
+
 AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmosphere& atmosphere,
-                             const glm::dvec3& eye)
+                             const ScatteringBound& scattering, const glm::dvec3& eye)
     : attenuation_(light.light.attenuation),
       extent_(extent),
       fog_(scaled(atmosphere.thinnest_fog(), light.light.density_scale)),
       largest_density_(scaled(atmosphere.thickest_fog(), light.light.density_scale).density),
-      phase_(atmosphere.phase),
-      is_isotropic_(is_isotropic(phase_)),
+      scattering_(&scattering),
       brightness_(airlight_unit(atmosphere) * largest_component(light.light.color)),
       eye_range_(glm::distance(eye, light.position)) {
   constexpr double kDensest = 1e6;  // as in light_airlight.glsl
   fog_.density = std::min(fog_.density, kDensest);
   largest_density_ = std::min(largest_density_, kDensest);
   weight_ = weight(2 * eye_range_ / 3, eye_range_ / 3);
-  phase_integrals_[kAngles] = 0;
-  for (int i = kAngles; i-- > 0 && !is_isotropic_;) {
-    const double angle = angle_of(i, kAngles);
-    phase_integrals_[std::size_t(i)] = phase_integrals_[std::size_t(i) + 1] +
-                                       largest_phase(phase_, -1, std::cos(angle)) * (angle_of(i + 1, kAngles) - angle);
-  }
 }
 
 double AirlightBound::angle_at(double distance) const {
   return distance < eye_range_ ? std::asin(distance / eye_range_) : std::numbers::pi / 2;
-}
-
-double AirlightBound::largest_phase_at(double distance) const {
-  return largest_phase(phase_, -1, std::cos(angle_at(distance)));
-}
-
-double AirlightBound::phase_integral_at(double distance) const {
-  const double angle = angle_at(distance);
-  if (is_isotropic_) return std::numbers::pi - angle;
-  const double place = kAngles * std::log(angle / kSmallestAngle) / std::log(std::numbers::pi / kSmallestAngle);
-  if (!(place > 0)) return phase_integrals_[0] + largest_phase_at(0) * kSmallestAngle;
-  const double i = std::floor(place);
-  return phase_integrals_[std::size_t(i) + 1] + largest_phase_at(distance) * (angle_of(i + 1, kAngles) - angle);
 }
 
 double AirlightBound::most_at(double distance) const {
@@ -70,12 +68,12 @@ double AirlightBound::most_at(double distance) const {
   const double isotropic = formulas::litfog_largest_airlight(
       weight_, formulas::denominator(distance, constant, linear, quadratic), quadratic, 2 * extent_);
   return brightness_ * std::min(largest_phase_at(distance) * isotropic,
-                                weight_ * phase_integral_at(distance) / (quadratic * distance));
+                                weight_ * scattering_->integral_from(angle_at(distance)) / (quadratic * distance));
 }
 
 double AirlightBound::reach(double budget) const {
   double high = reach_where_phase_is(largest_phase_at(0), budget);
-  if (is_isotropic_ || !(high > 0)) return high;
+  if (scattering_->is_isotropic() || !(high > 0)) return high;
   double low = 0;
   for (int i = 0; i < 40 && high > 1.01 * low; ++i) {
     const double middle = low > 0 ? std::sqrt(low * high) : high / 8;
@@ -109,7 +107,7 @@ double AirlightBound::end(double budget) const {
 }
 
 double AirlightBound::far_peak_reach(double budget) const {
-  if (is_isotropic_ || extent_ >= eye_range_) return 0;
+  if (scattering_->is_isotropic() || extent_ >= eye_range_) return 0;
   const double beyond = beyond_extent(0);
   const double farthest = eye_range_ * std::sin(FarAirlightList::kPeakAngle);
   double low = 0, high = farthest;
@@ -136,7 +134,8 @@ double AirlightBound::flat_range() const { return 0.5 * std::min(width(), 0.5 / 
 
 double AirlightBound::k(double distance) const {
   // h^-3, as the airlight of a narrow lobe falls, has 15 times the fourth derivative of h^-1.
-  const double bends = is_isotropic_ ? 1 : 15 * phase_integral_at(distance) / std::numbers::pi;
+  const double bends =
+      scattering_->is_isotropic() ? 1 : 15 * scattering_->integral_from(angle_at(distance)) / std::numbers::pi;
   const double slope = std::max(attenuation_.quadratic, attenuation_.linear / std::max(width(), 1e-3));
   return bends * brightness_ * weight_ * 4 / std::max(slope, 1e-30);
 }

@@ -9,6 +9,24 @@
 
 namespace litfog::render {
 
+/// Upper bounds of a phase function over all angles of scattering from one on. Radians, [0, pi].
+class ScatteringBound {
+ public:
+  explicit ScatteringBound(const Phase& phase);
+
+  bool is_isotropic() const { return is_isotropic_; }
+  double largest_from(double angle) const;
+  /// Of the integral of largest_from() over the angles up to pi.
+  double integral_from(double angle) const;
+
+ private:
+  static constexpr int kAngles = 64;
+
+  Phase phase_;
+  bool is_isotropic_;
+  std::array<double, kAngles + 1> integrals_{};  // from each angle of a geometric series
+};
+
 /// Upper bounds of a light's airlight, in the largest component of its colour; both legs lead through the fog. s is the
 /// distance from the eye, r that from the light, L from the eye to the light. litfog/shaders/airlight_bound.glsl bounds
 /// the fog's weight -f'(s) f(r) and the attenuation's integral. Along a ray the angle of scattering rises from the
@@ -19,7 +37,10 @@ class AirlightBound {
   static constexpr double kFarthestReach = 1e9;  ///< metres, for lights without an end: floats hold its square
 
   /// extent  of the light, metres
-  AirlightBound(const PlacedLight& light, double extent, const Atmosphere& atmosphere, const glm::dvec3& eye);
+  ///
+  /// scattering  of the atmosphere's phase function; has to outlive this
+  AirlightBound(const PlacedLight& light, double extent, const Atmosphere& atmosphere,
+                const ScatteringBound& scattering, const glm::dvec3& eye);
 
   /// Range from the light beyond which rays pass it with at most a budget of airlight from within its extent, 0 where
   /// all do. Metres.
@@ -58,11 +79,9 @@ class AirlightBound {
   double k(double distance) const;
 
  private:
-  static constexpr int kAngles = 64;
   double angle_at(double distance) const;  // smallest of scattering, for rays that pass the light at a distance
-  double largest_phase_at(double distance) const;
-  double phase_integral_at(double distance) const;  // upper bound of that over the angles of largest_phase_at()
-  double most_at(double distance) const;            // airlight of rays that pass the light at a distance
+  double largest_phase_at(double distance) const { return scattering_->largest_from(angle_at(distance)); }
+  double most_at(double distance) const;  // airlight of rays that pass the light at a distance
   double reach_where_phase_is(double phase, double budget) const;
   double weight(double seen, double lit) const;
   double width() const;  // metres: the falloff's
@@ -71,10 +90,8 @@ class AirlightBound {
   double extent_;
   Fog fog_;  // the thinnest, as the light's class sees it
   double largest_density_;
-  Phase phase_;
-  bool is_isotropic_;
-  std::array<double, kAngles + 1> phase_integrals_;  // from each angle of a geometric series to pi
-  double brightness_;                                // in isotropic fog
+  const ScatteringBound* scattering_;
+  double brightness_;  // in isotropic fog
   double eye_range_;
   double weight_;  // of any ray
 };

@@ -73,10 +73,11 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
     LightBounds bounds;
   };
   std::vector<Found> found;
+  const ScatteringBound scattering(atmosphere.phase);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& placed = lights.lights()[i];
     const double eye_range = std::max(glm::distance(eye, placed.position), 1e-6);
-    const AirlightBound bound(placed, lights.extents()[i], atmosphere, eye);
+    const AirlightBound bound(placed, lights.extents()[i], atmosphere, scattering, eye);
     const bool has_shafts = !casters.empty() && casters[i] >= 0;
     const double far_peak_reach = beyond_extents && !has_shafts ? bound.far_peak_reach(budget) : 0;
     const double reach = std::max(bound.reach(budget), far_peak_reach);

@@ -26,11 +26,12 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
     double most;  // that it adds from somewhere on
   };
   std::vector<Candidate> candidates;
-  const double phase = largest_phase(atmosphere.phase, -1, std::cos(FarAirlightList::kPeakAngle));
+  const ScatteringBound scattering(atmosphere.phase);
+  const double phase = scattering.largest_from(FarAirlightList::kPeakAngle);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const double extent = lights.extents()[i];
     if (std::isinf(extent) || (!casters.empty() && casters[i] >= 0)) continue;
-    const AirlightBound bound(lights.lights()[i], extent, atmosphere, eye);
+    const AirlightBound bound(lights.lights()[i], extent, atmosphere, scattering, eye);
     candidates.push_back({std::int32_t(i), int(lights.instances()[i].axis_profile.w), FarAirlightList::kSections, bound,
                           phase * bound.beyond_extent(0)});
   }

@@ -94,9 +94,10 @@ double FramePlanner::least_seen() const {
 
 double FramePlanner::airlight_end_from(const glm::dvec3& eye, double budget) const {
   if (settings_.fog_lighting != FogLighting::airlight) return 0;
+  const ScatteringBound scattering(atmosphere_.phase);
   double end = 0;
   for (std::size_t i = 0; i < lights_.size(); ++i) {
-    const AirlightBound bound(lights_.lights()[i], lights_.extents()[i], atmosphere_, eye);
+    const AirlightBound bound(lights_.lights()[i], lights_.extents()[i], atmosphere_, scattering, eye);
     end = std::max(end, bound.end(budget / double(lights_.size())));
   }
   return std::max(end, plan_.far_airlights.depth);
