@@ -102,6 +102,7 @@ TEST_F(SkippingTest, NoPixelOfAnySceneChangesByAStepInAnyFog) {
                                              {FogMode::exp, 25},
                                              {FogMode::exp2, 10}}) {
         if (is_large && lighting == FogLighting::peak && visibility > 120) continue;
+        if (mode == FogMode::exp2 && scene.atmosphere.profile.count > 0) continue;  // which has no layers
         pair.set_fog(Fog::from_visibility(mode, visibility));
         const double change = largest(pair.changes());
         EXPECT_LE(change, 1) << name << " at " << visibility << " m, "

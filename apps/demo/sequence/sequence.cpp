@@ -171,7 +171,7 @@ Sequence::Sequence(const SequenceOptions& options)
     expect_heading(frame);
   }
   own_camera_ = scene_.camera;
-  first_camera_ = camera(0);
+  vehicle_camera_ = scene_.camera;
   lights_ = scene_.lights;
   cookie_uses_ = scene_.cookie_uses;
   show(0);
@@ -242,7 +242,7 @@ void Sequence::show(int frame) {
 void Sequence::move_lights(int frame) {
   scene_.lights = lights_;
   scene_.cookie_uses = cookie_uses_;
-  if (moves_camera_) carry_lights(scene_, first_camera_, scene_.camera);
+  if (moves_camera_) carry_lights(scene_, vehicle_camera_, scene_.camera);
   scene::move_to_time(scene_, options_.seconds ? options_.seconds->at(frame, frames_) : 0);
 }
 

@@ -70,8 +70,8 @@ class Sequence {
   int frames_;
   scene::SceneParts parts_;
   scene::Scene scene_;
-  scene::Camera own_camera_;    // the file's, in the frame last shown
-  scene::Camera first_camera_;  // that of frame 0
+  scene::Camera own_camera_;      // the file's, in the frame last shown
+  scene::Camera vehicle_camera_;  // the file's in frame 0, to which the carried lights belong
   std::optional<CameraPath> path_;
   bool changes_members_ = false;
   bool changes_objects_ = false;
