@@ -20,7 +20,7 @@ struct Atmosphere {
   /// metres: height at which rays to the sky leave the fog; taken as infinity where there is a profile, whose rays
   /// leave the fog where its density is 0
   double top = std::numeric_limits<double>::infinity();
-  glm::dvec3 ambient_fog_color{0.0};  ///< linear RGB, finite, >= 0
+  glm::dvec3 ambient_fog_color{0.0};  ///< linear RGB, finite, >= 0: all of the fog's light that is no airlight
   DensityProfile profile = {};        ///< layers, in exp fog only; light classes scale its density like the fog's
 
   friend bool operator==(const Atmosphere&, const Atmosphere&) = default;

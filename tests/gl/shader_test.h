@@ -41,6 +41,7 @@ class ShaderTest : public GlTest {
   std::vector<glm::vec4> draw(const std::string& statements, const std::vector<std::vector<glm::vec4>>& inputs) {
     const gl::Program program = FormulaPixels::program(
         "#include \"test/input.glsl\"\n#include \"litfog/shaders/fog.glsl\"\n"
+        "#include \"litfog/shaders/directional_airlight.glsl\"\n"
         "#include \"litfog/shaders/surface.glsl\"\nvoid main() { " +
         statements + " }\n");
     gl::FogLightBuffer buffer;

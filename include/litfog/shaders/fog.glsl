@@ -20,6 +20,9 @@ float litfog_fog_mode() { return LITFOG_FOG_MODE; }
 float litfog_fog_mode() { return litfog_fog.y; }
 #endif
 
+// airlight_unit() of litfog/airlight.h.
+float litfog_airlight_unit() { return 0.25 * litfog_fog.w; }
+
 // Density of the fog, 1/m: its mean along a straight line between two heights.
 float litfog_fog_density(float height_a, float height_b) {
   return litfog_fog.x + litfog_mean_density(height_a, height_b);

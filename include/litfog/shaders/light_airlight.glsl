@@ -8,9 +8,6 @@
 
 #include "litfog/shaders/fog.glsl"
 
-// airlight_unit() of litfog/airlight.h.
-float litfog_airlight_unit() { return 0.25 * litfog_fog.w; }
-
 #ifdef LITFOG_COOKIES
 // What litfog_light_airlight_ray() leaves for litfog_airlight_cookie().
 LitfogLight litfog_cookie_light;

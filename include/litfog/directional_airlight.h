@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec3.hpp>
+
+#include "litfog/airlight.h"
+#include "litfog/atmosphere.h"
+
+namespace litfog {
+
+/// Whether a directional light, such as the sun or the moon, can light the fog at all: exp fog that ends above, at a
+/// finite top or, with a profile, where the density above the last knot is 0. Other fog is endless towards the light:
+/// all that it is lit by is its ambient colour. (In exp2 fog depths do not add up along a leg of slanting fog.)
+bool is_open_above(const Atmosphere& atmosphere);
+
+/// Fraction of a directional light that passes through the fog down to a height, e^-depth along the light's own slant.
+/// Surfaces are lit by it.
+///
+/// atmosphere  exp fog; if it is not open above, the fraction is 0 wherever there is fog
+/// to_light    unit within kDirectionTolerance
+/// height      metres, at most kMaxPosition in magnitude
+/// returns     [0, 1]
+/// throws      std::invalid_argument naming field, value and rule
+double directional_fog_factor(const Atmosphere& atmosphere, const glm::dvec3& to_light, double height);
+
+/// Largest relative error of directional_airlight.
+inline constexpr double kDirectionalAirlightMaxError = 1e-12;
+
+/// Airlight of a directional light along a ray: the fraction that the fog scatters into the eye,
+///   A = integral over s in [0, D] of  d(s) e^(-depth from the eye - depth to the light) phase(theta)  ds,
+/// in closed form, derived in litfog/shaders/directional_airlight.glsl. A white surface that faces the light outside
+/// the fog shows colour, the fog airlight_unit() * colour * A. It is single scattering: the ambient fog colour stands
+/// for the light that is scattered more often, and for other light.
+///
+/// atmosphere  exp fog, as directional_fog_factor() takes it
+/// to_light    unit within kDirectionTolerance
+/// ray         as for a lamp; to the sky its length is that up to the top, where there is one, or infinite
+/// returns     [0, largest_phase()]
+/// max error   kDirectionalAirlightMaxError                                             (directional_airlight_test.cpp)
+/// throws      std::invalid_argument naming field, value and rule
+double directional_airlight(const Atmosphere& atmosphere, const glm::dvec3& to_light, const EyeRay& ray);
+
+}  // namespace litfog

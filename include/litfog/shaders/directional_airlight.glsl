@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: Apache-2.0
+// litfog: a directional light, such as the sun or the moon, in exp fog that ends above; single scattering. It adds
+// litfog_airlight_unit() * colour * litfog_directional_airlight() to what the eye sees, and lights surfaces through
+// litfog_directional_factor(). Fog that does not end above lets none of the light in, nor is exp2 fog meant here. GLSL
+// includes this file like any other; C++ takes the same text in src/airlight/directional_airlight.cpp.
+//
+// The fog is level, so that along a ray the depth of the light's leg changes in proportion to the depth t of the eye's
+// leg. With x the sum of both and D the ray's end the airlight is, whatever the density over height,
+//   phase * integral of e^-x dt = phase * t(D) * (e^-x(0) - e^-x(D)) / (x(D) - x(0)),
+// the slab of Subrahmanyan Chandrasekhar 1960, "Radiative Transfer", with its sources along the light. Fog of one
+// density fills the air above its top, too, for all rays but those to the sky (Atmosphere::top): there the light has no
+// leg, and a ray is cut where it crosses the top.
+
+#ifndef LITFOG_DIRECTIONAL_AIRLIGHT_GLSL
+#define LITFOG_DIRECTIONAL_AIRLIGHT_GLSL
+
+#ifndef __cplusplus
+#include "litfog/shaders/fog.glsl"
+
+#define LITFOG_REAL float
+#define LITFOG_FUNCTION
+#endif
+
+// Depth of the fog from a height to a light, at most 1e30, which stands for infinity.
+//
+// density  of the fog apart from layers, 1/m
+// slope    sine of the light's elevation
+// top      metres: height of the fog's top, where there are no layers
+LITFOG_FUNCTION LITFOG_REAL litfog_depth_to_light(LITFOG_REAL density, LITFOG_REAL height, LITFOG_REAL slope,
+                                                  LITFOG_REAL top) {
+  LITFOG_REAL endless = LITFOG_REAL(1.0e30);
+  if (litfog_knot_count() > 0) {
+    return density > LITFOG_REAL(0.0) ? endless : litfog_profile_depth_to_sky(height, slope, endless);
+  }
+  if (density == LITFOG_REAL(0.0) || (height >= top && slope >= LITFOG_REAL(0.0))) return LITFOG_REAL(0.0);
+  return slope > LITFOG_REAL(0.0) ? min((top - height) / slope * density, endless) : endless;
+}
+
+// Mean of e^-x between two x >= 0; 0 where one stands for infinity, because then no more than the other end is lit.
+LITFOG_FUNCTION LITFOG_REAL litfog_mean_factor(LITFOG_REAL a, LITFOG_REAL b) {
+  if (max(a, b) >= LITFOG_REAL(1.0e30)) return LITFOG_REAL(0.0);
+  LITFOG_REAL rise = abs(b - a);
+  LITFOG_REAL mean = rise > LITFOG_REAL(1.0e-30) ? -litfog_expm1(-rise) / rise : LITFOG_REAL(1.0);
+  return exp(-min(a, b)) * mean;
+}
+
+// Airlight along a ray over the phase function, with the arguments of litfog_depth_to_light().
+//
+// rise   sine of the ray's elevation
+// range  metres along it, finite
+LITFOG_FUNCTION LITFOG_REAL litfog_directional_scattering(LITFOG_REAL density, LITFOG_REAL height, LITFOG_REAL rise,
+                                                          LITFOG_REAL range, LITFOG_REAL slope, LITFOG_REAL top) {
+  bool is_layered = litfog_knot_count() > 0;
+  if (is_layered && slope == LITFOG_REAL(0.0)) return LITFOG_REAL(0.0);  // level light enters no layer
+  LITFOG_REAL climb = rise * range;
+  LITFOG_REAL end = height + climb;
+  LITFOG_REAL whole = min((density + litfog_mean_density(height, end)) * range, LITFOG_REAL(1.0e29));
+  LITFOG_REAL at_eye = litfog_depth_to_light(density, height, slope, top);
+  LITFOG_REAL at_end = whole + litfog_depth_to_light(density, end, slope, top);
+  if (is_layered || (height < top) == (end < top)) return whole * litfog_mean_factor(at_eye, at_end);
+  LITFOG_REAL before = whole * ((top - height) / climb);
+  LITFOG_REAL beyond = whole * max(((height - top) + climb) / climb, LITFOG_REAL(0.0));
+  return before * litfog_mean_factor(at_eye, before) + beyond * litfog_mean_factor(before, at_end);
+}
+
+#undef LITFOG_FUNCTION
+#undef LITFOG_REAL
+
+#ifndef __cplusplus
+// Density of the fog apart from layers, 1/m. Finite: 1e6 is a visibility of micrometres.
+float litfog_directional_density() { return min(litfog_fog.x, 1.0e6); }
+
+// Fraction of the light that reaches a height.
+float litfog_directional_factor(float height, vec3 to_light, float top) {
+  return exp(-litfog_depth_to_light(litfog_directional_density(), height, to_light.y, top));
+}
+
+// Airlight along a ray from the eye. Largest error: 2e-5 of the phase function's value.
+//
+// direction  unit, of the ray
+// range      metres along it, finite: to the surface or to the end of the fog
+// to_light   unit
+float litfog_directional_airlight(vec3 eye, vec3 direction, float range, vec3 to_light, float top) {
+  vec3 turn = direction - to_light;
+  return litfog_phase(litfog_fog_phase(), 0.5 * dot(turn, turn)) *
+         litfog_directional_scattering(litfog_directional_density(), eye.y, direction.y, range, to_light.y, top);
+}
+#endif
+
+#endif
