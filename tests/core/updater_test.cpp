@@ -353,6 +353,28 @@ TEST(FogUpdater, ChangeOfTheFogIsAChangeOfKindsAlone) {
   EXPECT_TRUE(changes.instances.empty());
 }
 
+TEST(FogUpdater, ChangeOfTheLayersIsAChangeOfKindsAloneAndOneOfThePhaseOfTheHeaderAlone) {
+  FogUpdater updater;
+  for (int i = 0; i < 1000; ++i) updater.add(carried_light({1, 0.1 * (1 + i % 3), 0.01}));
+  const auto layers = [](double top) {
+    const FogLayer layer{.top = top, .transition = 10, .visibility = 150};
+    return make_density_profile(std::span(&layer, 1));
+  };
+  constexpr double kEye = 105;
+  Atmosphere air{.fog = {FogMode::exp, 1e-4}, .profile = layers(100)};
+  updater.set_fog(air.fog_at(kEye));
+  air.profile = layers(102);
+  const FogLightChanges changes = updater.set_fog(air.fog_at(kEye));
+  ASSERT_EQ(changes.kinds.size(), 1u);
+  EXPECT_EQ(changes.kinds[0], (EntryRange{0, 3}));
+  EXPECT_TRUE(changes.instances.empty());
+
+  const FogHeader before = pack_fog_header(air, 0);
+  air.phase = Phase::droplets(20);
+  EXPECT_TRUE(updater.set_fog(air.fog_at(kEye)).empty());
+  EXPECT_NE(pack_fog_header(air, 0).phase_lobes, before.phase_lobes);
+}
+
 TEST(FogUpdater, KindsDifferByEverythingButColorPositionAndDirection) {
   FogUpdater updater;
   std::array<PlacedLight, 13> lights;
