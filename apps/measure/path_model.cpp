@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "litfog/directional_airlight.h"
 #include "measure/airlight_bound.h"
 #include "render/light/hidden_range.h"
+#include "render/plan/fog_top.h"
 
 namespace litfog::measure {
 namespace {
@@ -39,6 +41,7 @@ PathModel::PathModel(const render::Renderer& renderer)
       atmosphere_(renderer.atmosphere().seen_from(renderer.origin().y)),
       materials_(renderer.materials()),
       lights_(reference_lights(renderer.scene(), renderer.atmosphere(), renderer.settings(), renderer.ends_exposure())),
+      is_fog_moonlit_(render::is_fog_moonlit(environment_, atmosphere_, settings_.fog_lighting)),
       airlight_budget_(kAirlightBudget * std::exp2(-renderer.exposure())),
       eye_(renderer.scene().camera.position - renderer.origin()),
       forward_(axes_of(renderer.scene().camera).forward) {
@@ -91,7 +94,10 @@ glm::dvec3 PathModel::without_lamps(const SurfacePoint& point) const {
 }
 
 glm::dvec3 PathModel::moonlight(const SurfacePoint& point) const {
-  const glm::dvec3 moon_color = environment_.moon_color;
+  const glm::dvec3 direction = glm::normalize(glm::dvec3(environment_.moon_direction));
+  const glm::dvec3 moon_color =
+      glm::dvec3(environment_.moon_color) *
+      (is_fog_moonlit_ ? directional_fog_factor(atmosphere_, direction, point.position.y) : 1.0);
   if (path_.evaluation == render::Evaluation::lookup) {  // Hales: the shading value, interpolated
     return moon_color * point.diffuse * std::clamp(point.vertex_moon_cosine, 0.0, 1.0);
   }
@@ -139,6 +145,15 @@ Veil PathModel::veil(const glm::dvec3& position) const {
     if (ray) veil.color += light.placed.light.color * light.emitted(ray->direction) * light.fog_intensity;
   }
   return veil;
+}
+
+glm::dvec3 PathModel::moon_airlight(const glm::dvec3& position) const {
+  const double range = glm::distance(position, eye_);
+  if (!is_fog_moonlit_ || range == 0) return glm::dvec3(0.0);
+  const EyeRay ray{.origin = eye_, .direction = (position - eye_) / range, .length = range};
+  const glm::dvec3 to_moon = glm::normalize(glm::dvec3(environment_.moon_direction));
+  return airlight_unit(atmosphere_) * directional_airlight(atmosphere_, to_moon, ray) *
+         glm::dvec3(environment_.moon_color);
 }
 
 double PathModel::airlight(const ReferenceLight& light, const EyeRay& ray) const {

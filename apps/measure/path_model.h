@@ -92,6 +92,8 @@ class PathModel {
   glm::dvec3 moonlight(const SurfacePoint& point) const;
 
   Veil veil(const glm::dvec3& position) const;
+  /// The directional light's airlight before a position; no shaft is cut out of it.
+  glm::dvec3 moon_airlight(const glm::dvec3& position) const;
   /// The opacity of the fog between the eye and a position.
   double opacity_before(const glm::dvec3& position) const;
   const glm::dvec3& eye() const { return eye_; }  ///< relative to the renderer's origin
@@ -118,6 +120,7 @@ class PathModel {
   Atmosphere atmosphere_;
   std::vector<scene::Material> materials_;
   std::vector<ReferenceLight> lights_;
+  bool is_fog_moonlit_;
   double airlight_budget_;
   std::optional<ReferenceShadows> shadows_;
   glm::dvec3 eye_;

@@ -144,16 +144,17 @@ class ReferenceShading {
       bounds = bounds_->surface_color(point);
       if (model_.path().has_mapped_fog()) fog = bounds_->fog_color(point.position);
     }
-    return {.color = veil.over(color),
-            .least = glm::mix(bounds.least, fog.least, veil.opacity),
-            .most = glm::mix(bounds.most, fog.most, veil.opacity),
+    const glm::dvec3 moonlight = model_.moon_airlight(point.position);
+    return {.color = veil.over(color) + moonlight,
+            .least = glm::mix(bounds.least, fog.least, veil.opacity) + moonlight,
+            .most = glm::mix(bounds.most, fog.most, veil.opacity) + moonlight,
             .is_at_jump = jumps_.is_at_jump(point) || jumps_.is_at_jump(veil, point.position)};
   }
 
   Shade sky(const glm::dvec3& direction) const {
     const glm::dvec3 position = eye_ + direction * fog_before_sky(fog_above_eye_, direction);
     const Veil veil = model_.veil(position);
-    const glm::dvec3 color = veil.over(night_sky(model_.environment(), direction));
+    const glm::dvec3 color = veil.over(night_sky(model_.environment(), direction)) + model_.moon_airlight(position);
     return {.color = color,
             .least = color,
             .most = color,

@@ -18,6 +18,7 @@
 #include "render/gpu/uniform.h"
 #include "render/light/light_map_store.h"
 #include "render/light/light_point.h"
+#include "render/plan/fog_top.h"
 
 namespace litfog::render {
 namespace {
@@ -151,8 +152,10 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
 }
 
 View Renderer::view() const {
-  return view_of(relative_to(lights_.origin(), scene_.camera), {width(), height()},
-                 atmosphere_.top_above(scene_.camera.position.y));
+  View view = view_of(relative_to(lights_.origin(), scene_.camera), {width(), height()},
+                      atmosphere_.top_above(scene_.camera.position.y));
+  view.is_fog_moonlit = is_fog_moonlit(scene_.environment, atmosphere_, settings_.fog_lighting);
+  return view;
 }
 
 FrameView Renderer::frame_view(const View& view, const FrameExposures& exposures) const {

@@ -36,7 +36,7 @@ struct Environment {
   glm::vec3 sky_horizon{0.0f};
   float star_brightness = 0.0f;
   glm::vec3 moon_direction{0.0f, 1.0f, 0.0f};  ///< unit, towards the moon
-  glm::vec3 moon_color{0.0f};                  ///< light on surfaces; 0 is no moon
+  glm::vec3 moon_color{0.0f};                  ///< light on surfaces outside the fog; 0 is no moon
 
   friend bool operator==(const Environment&, const Environment&) = default;
 

@@ -243,6 +243,37 @@ TEST_F(ReferencePictureTest, SkyThroughFogIsDrawnAsTheReferenceHasIt) {
   }
 }
 
+TEST_F(ReferencePictureTest, MoonlitFogIsDrawnAsTheReferenceHasIt) {
+  const FogLayer ground{.top = 3, .transition = 4, .visibility = 40};
+  const FogLayer cloud{.base = 12, .top = 30, .transition = 2, .visibility = 60};
+  const Fog fog = Fog::from_visibility(FogMode::exp, 60.0);
+  Scene scene = flat_floor();
+  scene.environment.sky_zenith = scene.environment.sky_horizon = {0.02f, 0.02f, 0.03f};
+  scene.environment.moon_direction = glm::normalize(glm::vec3(0.2f, 0.5f, -1));
+  scene.environment.moon_color = {0.3f, 0.3f, 0.4f};
+  std::vector<Atmosphere> airs(4, Atmosphere{.phase = Phase::droplets(10), .ambient_fog_color = glm::dvec3(0.01)});
+  airs[0].profile = make_density_profile(std::span(&ground, 1));
+  airs[1].profile = make_density_profile(std::span(&cloud, 1));
+  airs[2].fog = airs[3].fog = fog;
+  airs[2].top = 30;
+  airs[3].top = 2;
+  for (const LightingPath& path : lighting_paths()) {
+    if (!path.takes_airlight || !path.has_reference) continue;
+    for (const Atmosphere& air : airs) {
+      for (const glm::dvec3 target : {glm::dvec3{0, 0, 1}, glm::dvec3{1, 7, 0}}) {
+        scene.camera.target = target;
+        Renderer renderer(scene, kWidth, kHeight, {.path = &path, .fog_lighting = FogLighting::airlight});
+        renderer.set_atmosphere(air);
+        renderer.draw();
+        const ReferencePicture reference = shade_reference(renderer);
+        const PictureError error = picture_error(renderer.read(), reference);
+        EXPECT_LE(error.largest, 0.5) << path.name << ", top " << air.top << ", looking up to " << target.y;
+        EXPECT_LE(error.mean, 0.05) << path.name << ", top " << air.top << ", looking up to " << target.y;
+      }
+    }
+  }
+}
+
 TEST_F(ReferencePictureTest, ReferenceHasTheRenderersSamples) {
   const Scene scene = read_scene(bundled_scene_path("room"));
   for (const FogLighting fog_lighting : {FogLighting::peak, FogLighting::airlight}) {

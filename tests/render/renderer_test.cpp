@@ -151,6 +151,37 @@ TEST_F(RendererTest, MoonOfABundledSceneFadesAsTheFogThickens) {
   }
 }
 
+// Rays of one elevation have the same depths: only their angle from the moon tells them apart.
+TEST_F(RendererTest, MoonHasAnAureoleInThinGroundFogByThePhaseFunction) {
+  constexpr int kSide = 9;
+  const FogLayer layer{.top = 40, .transition = 10, .visibility = 300};
+  Scene scene;
+  scene.environment.moon_direction = glm::normalize(glm::vec3(0, 0.4f, -1));
+  scene.environment.moon_color = {0.2f, 0.2f, 0.3f};
+  scene.atmosphere.phase = Phase::droplets(10);
+  const auto shown = [&](double azimuth) {
+    const glm::dvec3 towards{std::sin(azimuth), 0.3, -std::cos(azimuth)};
+    scene.camera = {.position = {0, 2, 0}, .target = glm::dvec3{0, 2, 0} + towards, .field_of_view = 0.02f};
+    Renderer renderer(scene, kSide, kSide, {.fog_lighting = FogLighting::airlight});
+    Atmosphere air = scene.atmosphere;
+    air.profile = make_density_profile(std::span(&layer, 1));
+    renderer.set_atmosphere(air);
+    renderer.draw();
+    return pixel(renderer.read(), kSide / 2, kSide / 2).b;
+  };
+  const auto phase = [&](double azimuth) {
+    const glm::dvec3 towards{std::sin(azimuth), 0.3, -std::cos(azimuth)};
+    return phase_at(scene.atmosphere.phase,
+                    glm::dot(glm::normalize(towards), glm::dvec3(scene.environment.moon_direction)));
+  };
+  const double away = shown(2.5);
+  EXPECT_GT(away, 0);
+  EXPECT_GT(shown(0.35), 30 * away);
+  for (const double azimuth : {0.35, 0.5, 1.0, 1.5}) {
+    EXPECT_NEAR(shown(azimuth) / away, phase(azimuth) / phase(2.5), 0.01 * phase(azimuth) / phase(2.5)) << azimuth;
+  }
+}
+
 TEST_F(RendererTest, LightPointIsSeenThroughTheFogAtTheDensityOfItsClass) {
   const auto brightness = [](double density_scale) {
     Scene scene = open_air(Cone{});

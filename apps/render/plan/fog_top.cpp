@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "litfog/directional_airlight.h"
 #include "render/gpu/uniform.h"
 
 namespace litfog::render {
@@ -11,6 +12,16 @@ void set_fog_top(const gl::Program& program, double above_eye) {
   // Twice the sky's distance stands for an infinite one, so that nothing finite overflows a float.
   set_uniform(program, "sky_distance", kSkyDistance);
   set_uniform(program, "fog_above_eye", float(std::clamp(above_eye, -1.0, 2.0 * kSkyDistance)));
+}
+
+bool is_fog_moonlit(const scene::Environment& environment, const Atmosphere& atmosphere, FogLighting fog_lighting) {
+  return fog_lighting == FogLighting::airlight && environment.has_moon() && is_open_above(atmosphere);
+}
+
+void set_moonlight(const gl::Program& program, const View& view) {
+  constexpr double kHighest = 1e9;  // stands for infinity
+  set_uniform(program, "is_fog_moonlit", view.is_fog_moonlit);
+  set_uniform(program, "fog_top", float(std::clamp(double(view.eye.y) + view.top_above_eye, -kHighest, kHighest)));
 }
 
 }  // namespace litfog::render

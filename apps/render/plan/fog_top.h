@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "litfog/atmosphere.h"
 #include "litfog/gl/program.h"
+#include "render/plan/view.h"
+#include "render/render_settings.h"
+#include "scene/scene.h"
 
 namespace litfog::render {
 
@@ -11,5 +15,12 @@ inline constexpr float kSkyDistance = 50'000;  ///< metres: beyond any visibilit
 ///
 /// above_eye  metres, of the atmosphere's top
 void set_fog_top(const gl::Program& program, double above_eye);
+
+/// Whether a scene's directional light lights its fog, which then dims it on surfaces, too: by airlight, in fog that is
+/// open above. In other fog it lights surfaces alone, as in clear air.
+bool is_fog_moonlit(const scene::Environment& environment, const Atmosphere& atmosphere, FogLighting fog_lighting);
+
+/// Passes the program in use, one of shaders/moonlight.glsl, whether the fog is lit so, and where it ends.
+void set_moonlight(const gl::Program& program, const View& view);
 
 }  // namespace litfog::render

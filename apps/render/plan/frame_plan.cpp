@@ -86,6 +86,12 @@ double FramePlanner::sky_brightness() const {
          double(environment.star_brightness) + moon;
 }
 
+double FramePlanner::moonlight_in_fog() const {
+  if (!is_fog_moonlit(scene_.environment, atmosphere_, settings_.fog_lighting)) return 0;
+  return airlight_unit(atmosphere_) * largest_phase(atmosphere_.phase) *
+         largest_component(scene_.environment.moon_color);
+}
+
 double FramePlanner::least_seen() const {
   if (!settings_.has_eye_threshold) return 0;
   const double background = luminance(atmosphere_.ambient_fog_color);
@@ -209,9 +215,10 @@ void FramePlanner::plan_visible(const FrameView& view) {
 
   const double fog_above_eye = atmosphere_.top_above(view.camera.position.y);
   const double fog_color = largest_component(atmosphere_.ambient_fog_color);
+  const double moonlight = moonlight_in_fog();
   const double sky_range = hidden_range(thinnest_fog_, sky_brightness() + fog_color, kHiddenShare * step_);
   if (view.highest_slope <= slope_in_fog(fog_above_eye, sky_range)) {
-    counts.sky = is_fog_lit_ ? SkyDrawing::fog : SkyDrawing::background;
+    counts.sky = is_fog_lit_ || moonlight > 0 ? SkyDrawing::fog : SkyDrawing::background;
   }
 
   const std::vector<SurfaceInView> in_view = find_surfaces_in_view(view.camera.position, frustum);
@@ -221,8 +228,10 @@ void FramePlanner::plan_visible(const FrameView& view) {
     if (each.nearest >= each.hidden_range) continue;
     hidden_from = std::max(hidden_from, std::min(each.farthest, each.hidden_range) * kRounding);
   }
+  const double fog_range =  // the sky's, with the moon's airlight before it
+      hidden_range(thinnest_fog_, sky_brightness() + fog_color + moonlight, kHiddenShare * step_);
   const double left_out_from = std::max(
-      {hidden_from, sky_range, airlight_end_from(view.camera.position, kBehindShare * step_), points.hidden_by});
+      {hidden_from, fog_range, airlight_end_from(view.camera.position, kBehindShare * step_), points.hidden_by});
   const double highest_left_out = slope_in_fog(fog_above_eye, left_out_from);
   const bool hides = settings_.path->has_light_bound && settings_.papers.light_ambient == 0;
   for (const SurfaceInView& each : in_view) {

@@ -134,6 +134,8 @@ class FramePlanner {
   double least_seen() const;
   double airlight_end_from(const glm::dvec3& eye, double budget) const;
   double sky_brightness() const;
+  /// An upper bound of the directional light's airlight along any ray; 0 where it lights no fog.
+  double moonlight_in_fog() const;
   /// Appends a surface's lights to the plan's list except those that fog hides.
   PlannedSurface list_lights(std::size_t surface, double most_left_out);
 

@@ -16,6 +16,7 @@ struct View {
   glm::mat4 direction_from_clip;  ///< ray direction from a position in the picture
   double pixels_per_radian;       ///< at the picture's middle
   double top_above_eye;           ///< metres: the atmosphere's
+  bool is_fog_moonlit = false;    ///< as is_fog_moonlit() of plan/fog_top.h has it
 };
 
 /// Pixels per radian at the middle of a camera's picture.

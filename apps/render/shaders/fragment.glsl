@@ -8,6 +8,8 @@
 #include "rasterised.glsl"
 #include "scene.glsl"
 
+#include "moonlight.glsl"
+
 #include "shadow/shadow.glsl"
 
 out vec4 color;
@@ -47,13 +49,23 @@ float opacity_before(vec3 position) {
 // Light from the vertices, not below 0. At the centre of a pixel that a triangle only partly covers it is extrapolated.
 vec3 vertex_light(vec3 interpolated) { return max(interpolated, vec3(0.0)); }
 
+// What the fog before a position scatters of the directional light.
+vec3 moon_airlight_before(vec3 position) {
+  return is_lamp_leg_fogged && has_moon ? moon_airlight(position, eye) : vec3(0.0);
+}
+
 // A pass's light from the surface as the eye sees it. The first pass also adds the fog's own light.
 vec4 seen_by_eye(vec3 lit, vec3 position) {
-  if (is_first_pass) return vec4(litfog_apply_fog(lit, position, eye), 1.0);
+  if (is_first_pass) return vec4(litfog_apply_fog(lit, position, eye) + moon_airlight_before(position), 1.0);
   return vec4(lit * (1.0 - opacity_before(position)), 1.0);
+}
+
+// Fraction of the directional light that reaches the fragment past other surfaces and through the fog.
+float moon_factor() {
+  return moon_shadow() * (is_lamp_leg_fogged && has_moon ? moon_fog_factor(fragment_position().y) : 1.0);
 }
 
 // Ambient and directional light for a shading value d . n, which may be extrapolated beyond the edge of a triangle.
 vec3 directional_light(float shade) {
-  return ambient_light + moon_color * (clamp(shade, 0.0, 1.0) * moon_shadow());
+  return ambient_light + moon_color * (clamp(shade, 0.0, 1.0) * moon_factor());
 }

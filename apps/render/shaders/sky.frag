@@ -8,6 +8,8 @@
 #include "litfog/shaders/fog.glsl"
 #include "night_sky.glsl"
 
+#include "moonlight.glsl"
+
 in vec3 seen_direction;
 
 uniform vec3 eye;
@@ -16,5 +18,6 @@ out vec4 color;
 
 void main() {
   vec3 direction = normalize(seen_direction);
-  color = vec4(litfog_apply_fog(night_sky(direction), eye + direction * fog_before_sky(direction), eye), 1.0);
+  vec3 end = eye + direction * fog_before_sky(direction);
+  color = vec4(litfog_apply_fog(night_sky(direction), end, eye) + moon_airlight(end, eye), 1.0);
 }

@@ -25,6 +25,7 @@ void draw_sky(const gl::Program& program, const View& view, const scene::Scene& 
   set_uniform(program, "moon_direction", environment.moon_direction);
   set_uniform(program, "moon_color", environment.moon_color);
   set_fog_top(program, view.top_above_eye);
+  set_moonlight(program, view);
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
@@ -33,7 +34,10 @@ const gl::Program& SkyPainter::program(SkyDrawing drawing, bool is_lit) {
   if (found != programs_.end()) return found->second;
   std::vector<gl::ShaderSource> files;  // earlier files hide later ones of the same name
   if (drawing == SkyDrawing::fog) {
-    files.push_back({"night_sky.glsl", "vec3 night_sky(vec3 direction) { return vec3(0.0); }\n"});
+    files.push_back({"night_sky.glsl",
+                     "uniform vec3 moon_direction;\n"
+                     "uniform vec3 moon_color;\n"
+                     "vec3 night_sky(vec3 direction) { return vec3(0.0); }\n"});
   }
   if (!is_lit) files.push_back({"carried_fog.glsl", "vec3 litfog_lights_fog(vec3 position) { return vec3(0.0); }\n"});
   const std::vector<gl::ShaderSource> rest = scene_shaders(!scene_.cookies.empty());

@@ -11,6 +11,7 @@
 #include "render/gpu/light_uniforms.h"
 #include "render/gpu/texture_unit.h"
 #include "render/gpu/uniform.h"
+#include "render/plan/fog_top.h"
 
 namespace litfog::render {
 namespace {
@@ -399,6 +400,7 @@ void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant&
   }
   set_uniform(program, "clip_from_world", frame.view.clip_from_world);
   set_uniform(program, "eye", frame.view.eye);
+  set_moonlight(program, frame.view);
   set_uniform(program, "infinite_viewer", -frame.view.forward);
   set_uniform(program, "is_flat_shaded", settings_.papers.is_flat_shaded);
   set_uniform(program, "albedo_map", kAlbedoUnit);

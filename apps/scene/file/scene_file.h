@@ -30,7 +30,8 @@ namespace litfog::scene {
 ///       "lit_at_vertices": true,                          optional: the gallery draws it by the path `vertex`, unless
 ///                                                         another than its default is asked for; default: false
 ///       "fog_top_m": 120,                                 optional: the height at which rays to the sky leave the fog;
-///                                                         default: never, any fog hides the sky
+///                                                         default: never, any fog hides the sky, and the moon
+///                                                         lights none of it (is_open_above())
 ///       "phase_g": 0.8,                                   optional: short for the phase function hg:0.8
 ///       "atmosphere": {                                   optional: what the air is made of
 ///         "phase": "droplets:20",                         optional: the fog's phase function: isotropic, hg:G or

@@ -4,9 +4,10 @@
 //
 //     picture = f S + (1 - f) ambient fog + A.
 //
-// The first two terms are litfog_apply_fog() (litfog/shaders/fog.glsl), which each surface and the sky call. compose()
-// adds A, and compose_pane() lays a pane over what is behind it. compose_airlight.frag draws A over a picture of the
-// first two terms. ReferenceShading::pixel() in measure/reference_picture.cpp does the same in double.
+// The first two terms are litfog_apply_fog() (litfog/shaders/fog.glsl), which each surface and the sky call, and to which
+// they add the directional light's airlight (moonlight.glsl). compose() adds A, and compose_pane() lays a pane over what
+// is behind it. compose_airlight.frag draws A over a picture without it. ReferenceShading::pixel() in
+// measure/reference_picture.cpp does the same in double.
 
 // What is seen through the fog, without airlight, and the airlight before it.
 vec3 compose(vec3 seen, vec3 airlight) { return seen + airlight; }

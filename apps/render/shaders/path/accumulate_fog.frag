@@ -6,5 +6,6 @@
 
 void main() {
   vec3 position = fragment_position();
-  color = vec4(litfog_apply_fog(emissive, position, eye), 1.0 - opacity_before(position));
+  vec3 fog = litfog_apply_fog(emissive, position, eye) + moon_airlight_before(position);
+  color = vec4(fog, 1.0 - opacity_before(position));
 }

@@ -44,5 +44,7 @@ void main() {
   }
   vec3 lit = light * base_texture().rgb;
   if (is_first_pass) lit += emissive;
-  color = vec4(mix(lit, fog, opacity_before(fragment_position())), 1.0);
+  vec3 seen = mix(lit, fog, opacity_before(fragment_position()));
+  if (is_first_pass) seen += moon_airlight_before(fragment_position());
+  color = vec4(seen, 1.0);
 }

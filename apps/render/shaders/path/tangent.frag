@@ -32,7 +32,7 @@ void main() {
   vec3 lit = vec3(0.0);
   if (is_first_pass) {
     lit = litfog_ambient(surface, ambient_light);
-    if (has_moon) lit += moon_shadow() * litfog_reflect(surface, normalize(to_moon), moon_color);
+    if (has_moon) lit += moon_factor() * litfog_reflect(surface, normalize(to_moon), moon_color);
   }
   for (int i = 0; i < lights_in_pass; ++i) {
     LitfogLight light = batch_light(i);

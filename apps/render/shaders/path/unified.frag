@@ -33,7 +33,7 @@ void main() {
   surface.shininess = shininess;
 
   vec3 lit = litfog_ambient(surface, ambient_light);
-  if (has_moon) lit += moon_shadow() * litfog_reflect(surface, moon_direction, moon_color);
+  if (has_moon) lit += moon_factor() * litfog_reflect(surface, moon_direction, moon_color);
 #define ADD_LIGHT(i) lit += lamp_shadow(i) * lit_by(surface, batch_light(i));
   EACH_LIGHT(ADD_LIGHT)
 #undef ADD_LIGHT
