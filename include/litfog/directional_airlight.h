@@ -24,7 +24,7 @@ bool is_open_above(const Atmosphere& atmosphere);
 double directional_fog_factor(const Atmosphere& atmosphere, const glm::dvec3& to_light, double height);
 
 /// Largest relative error of directional_airlight.
-inline constexpr double kDirectionalAirlightMaxError = 1e-12;
+inline constexpr double kDirectionalAirlightMaxError = 1e-11;
 
 /// Airlight of a directional light along a ray: the fraction that the fog scatters into the eye,
 ///   A = integral over s in [0, D] of  d(s) e^(-depth from the eye - depth to the light) phase(theta)  ds,
