@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "litfog/airlight.h"
+#include "litfog/atmosphere.h"
+#include "litfog/attenuation.h"
+#include "litfog/light.h"
+#include "litfog/value_error.h"
+
+namespace litfog {
+
+// Light that fog scatters to the eye twice and more often, M, adds to the airlight A, which is scattered once. A
+// picture shows airlight_unit() * colour * (A + M). At the distance of one visibility from a lamp, M is several times
+// A. It is known for exp fog of albedo 1 that is isotropic, of Henyey and Greenstein's phase function with 0 <= g <=
+// 0.95, or of droplets; no ground and no wall takes part in it.
+
+inline constexpr int kScatteringDepths = 12;  ///< by equal ratios from 0.02 to 10
+inline constexpr int kScatteringAngles = 18;  ///< by equal ratios from 0.2 to 180 degrees
+
+/// M of a point lamp for a phase function: the natural logarithm of M / (I d^2) for the attenuation I / r^2 in endless
+/// fog of density d, by the optical depth between eye and lamp and by the angle between the ray and the direction to
+/// the lamp. It is for shaders, as a texture (litfog/shaders/multiple_scattering.glsl), and for multiple_scattering().
+struct ScatteringTable {
+  std::array<std::array<float, kScatteringAngles>, kScatteringDepths> logs;
+};
+
+/// Why an atmosphere has no scattering table, or nothing: its fog is not exp, its albedo is not 1, or its phase
+/// function is another than those above.
+std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere);
+
+/// The table of an atmosphere's phase function, between those of data/scattering/point.csv.
+///
+/// throws  std::invalid_argument naming field, value and rule (find_error, find_scattering_error)
+ScatteringTable make_scattering_table(const Atmosphere& atmosphere);
+
+/// Largest relative error of effective_intensity.
+inline constexpr double kEffectiveIntensityMaxError = 1e-6;
+
+/// The intensity of a lamp with 1 / r^2 that loses as much light to the fog as a light with an attenuation does: the
+/// integral of d e^(-d r) r^2 a(r) over r, m^2. A photometric light has 1 / Q of thin fog.
+///
+/// density    d, 1/m, finite, > 0
+/// max error  kEffectiveIntensityMaxError relative                                       (multiple_scattering_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
+double effective_intensity(const Attenuation& attenuation, double density);
+
+/// M of a light along a ray, in the unit of airlight().
+///
+/// light      its class sees the fog at its density scale
+/// table      that of the atmosphere
+/// max error  of A + M                                                                  (multiple_scattering_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
+double multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,
+                           const EyeRay& ray);
+
+}  // namespace litfog

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/multiple_scattering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "airlight_text.h"
+#include "model/level_range.h"
+#include "model/require.h"
+#include "model/unchecked.h"
+
+namespace litfog {
+namespace {
+
+using airlight_text::NoCookie;
+using airlight_text::Text;
+using std::max, std::exp, std::log;
+
+/// A row of data/scattering/point.csv.
+struct Row {
+  const char* phase;
+  double numbers[kScatteringAngles + 3];  // the phase function's parameter, the depth, M / (I d^2), their error
+
+  double parameter() const { return numbers[0]; }
+  double logarithm(int angle) const { return std::log(numbers[2 + angle]); }
+};
+constexpr Row kRows[] = {
+#include "scattering_rows.inc"
+};
+static_assert(std::size(kRows) % kScatteringDepths == 0);
+
+/// The rows of phase functions of a kind, one table after the other, by rising parameters.
+std::span<const Row> rows_of(char kind) {
+  const auto is_kind = [&](const Row& row) { return row.phase[0] == kind; };
+  const auto first = std::ranges::find_if(kRows, is_kind);
+  return {first, std::ranges::find_if_not(first, std::end(kRows), is_kind)};
+}
+
+/// Diameter of the droplets that have a phase function, by bisection; 0: none have it.
+double droplets_of(const Phase& phase) {
+  double low = kSmallestDroplets, high = kLargestDroplets;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (Phase::droplets(middle).second.asymmetry < phase.second.asymmetry ? low : high) = middle;
+  }
+  const Phase found = Phase::droplets(low);
+  const auto is_near = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); };
+  return is_near(phase.first.asymmetry, found.first.asymmetry) && is_near(phase.first.alpha, found.first.alpha) &&
+                 is_near(phase.second.asymmetry, found.second.asymmetry) && phase.second.alpha == 0 &&
+                 is_near(phase.weight, found.weight)
+             ? low
+             : 0;
+}
+
+/// Where a phase function lies among those of the tables.
+struct PhasePlace {
+  std::span<const Row> rows;  // empty: nowhere
+  double parameter;
+};
+
+PhasePlace place(const Phase& phase) {
+  if (is_isotropic(phase)) return {rows_of('h'), 0};
+  if (phase.weight == 1 && phase.first.alpha == 0) {
+    const std::span<const Row> rows = rows_of('h');
+    const double asymmetry = phase.first.asymmetry;
+    return {asymmetry > 0 && asymmetry <= rows.back().parameter() ? rows : std::span<const Row>(), asymmetry};
+  }
+  const double diameter = droplets_of(phase);
+  return {diameter > 0 ? rows_of('d') : std::span<const Row>(), diameter};
+}
+
+/// In which tables are interpolated.
+double coordinate(const PhasePlace& of, double parameter) {
+  return of.rows.front().phase[0] == 'h' ? -std::log1p(-parameter) : std::log(parameter);
+}
+
+struct ScatteringText : Text<double, NoCookie> {
+  const ScatteringTable& table;
+
+  double litfog_scattering_log(double row, double column) const {
+    const double y = std::min(row, kScatteringDepths - 1.0), x = std::min(column, kScatteringAngles - 1.0);
+    const auto i = std::min(std::size_t(y), std::size_t(kScatteringDepths - 2));
+    const auto j = std::min(std::size_t(x), std::size_t(kScatteringAngles - 2));
+    const auto along = [&](std::size_t depth) {
+      return std::lerp(double(table.logs[depth][j]), double(table.logs[depth][j + 1]), x - double(j));
+    };
+    return std::lerp(along(i), along(i + 1), y - double(i));
+  }
+
+  static double atan(double y, double x) { return std::atan2(y, x); }
+
+#define LITFOG_REAL double
+#define LITFOG_CONSTANT static constexpr
+#include "litfog/shaders/multiple_scattering.glsl"  // undefines both
+};
+
+}  // namespace
+
+std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere) {
+  if (atmosphere.fog.mode != FogMode::exp) {
+    return ValueError{"fog.mode", double(atmosphere.fog.mode), "must be exp for all orders of scattering"};
+  }
+  if (atmosphere.albedo != 1) return ValueError{"albedo", atmosphere.albedo, "must be 1 for all orders of scattering"};
+  if (place(atmosphere.phase).rows.empty()) {
+    return ValueError{
+        "phase.first.asymmetry", atmosphere.phase.first.asymmetry,
+        "must be of one lobe with alpha 0 and g in [0, 0.95], or of droplets, for all orders of scattering"};
+  }
+  return std::nullopt;
+}
+
+ScatteringTable make_scattering_table(const Atmosphere& atmosphere) {
+  require(find_error(atmosphere));
+  require(find_scattering_error(atmosphere));
+  const PhasePlace at = place(atmosphere.phase);
+  const std::size_t tables = at.rows.size() / kScatteringDepths;
+  const auto parameter = [&](std::size_t i) { return coordinate(at, at.rows[i * kScatteringDepths].parameter()); };
+  const double x = coordinate(at, at.parameter);
+  std::size_t below = 0;
+  while (below + 2 < tables && parameter(below + 1) <= x) ++below;
+  const double share = std::clamp((x - parameter(below)) / (parameter(below + 1) - parameter(below)), 0.0, 1.0);
+  ScatteringTable table;
+  for (std::size_t i = 0; i < kScatteringDepths; ++i) {
+    const Row& first = at.rows[below * kScatteringDepths + i];
+    const Row& second = at.rows[(below + 1) * kScatteringDepths + i];
+    for (int j = 0; j < kScatteringAngles; ++j) {
+      table.logs[i][std::size_t(j)] = float(std::lerp(first.logarithm(j), second.logarithm(j), share));
+    }
+  }
+  return table;
+}
+
+double effective_intensity(const Attenuation& attenuation, double density) {
+  require(find_error(attenuation));
+  if (!(density > 0 && std::isfinite(density))) {
+    require(ValueError{"density", density, "must be finite and > 0"});
+  }
+  // Over t = ln(d r) the integrand e^(3 t - e^t) a / d^2 is analytic but for the knee, in strips of half width pi / 2.
+  constexpr double kFirst = -20, kLast = 4;  // e^-20 and e^-(e^4) of the whole are left out at most
+  constexpr int kGauss = 8;
+  using Nodes = Text<double, NoCookie>;
+  const double knee = std::log(density * unchecked::compute_extent(attenuation, 1));
+  double sum = 0;
+  double from = kFirst;
+  while (from < kLast) {
+    double to = std::min(from + 0.75, kLast);
+    if (knee > from && knee < to) to = knee;
+    for (int i = 0; i < kGauss; ++i) {
+      const std::size_t node = kGauss * (kGauss - 1) / 2 + std::size_t(i);
+      const double depth = std::exp(std::lerp(from, to, Nodes::litfog_gauss_nodes[node]));
+      const double range = depth / density;
+      sum += Nodes::litfog_gauss_weights[node] * (to - from) * depth * std::exp(-depth) * range * range *
+             attenuation_at(attenuation, range);
+    }
+    from = to;
+  }
+  return sum;
+}
+
+double multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,
+                           const EyeRay& ray) {
+  require(find_error(light));
+  require(find_error(atmosphere));
+  require(find_error(ray));
+  require(find_scattering_error(atmosphere));
+  const Fog fog = unchecked::scaled(atmosphere.fog, light.light.density_scale);
+  const NoCookie no_cookie;
+  ScatteringText text{{no_cookie, atmosphere.profile}, table};
+  const auto air = text.seen_along(light, 0, fog, ray, LampLeg::fogged, phase_text::pack<double>(atmosphere.phase));
+  const double density =
+      fog.density + air.layer_scale * mean_density(atmosphere.profile, air.lamp_height, ray.origin.y);
+  if (!(density > 0)) return 0;
+  return effective_intensity(light.light.attenuation, density) * text.litfog_multiple_scattering(air);
+}
+
+}  // namespace litfog
