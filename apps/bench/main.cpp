@@ -18,6 +18,7 @@
 #include "bench/rejection_benchmark.h"
 #include "bench/render_benchmark.h"
 #include "bench/result.h"
+#include "bench/scattering_table.h"
 #include "bench/simd_target.h"
 #include "bench/solve_benchmark.h"
 #include "bench/update_benchmark.h"
@@ -40,6 +41,7 @@ constexpr const char* kDescription = R"(Measures litfog and its rivals: time bes
   litfog-bench solve     time against error of every method for a light's fog colour intensity
   litfog-bench airlight  time against error of every method for a light's airlight along a ray
   litfog-bench lamps     peak and airlight of four lamps over visibility, beside the reference
+  litfog-bench scattering  table of the light that fog scatters twice and more often from a point lamp
   litfog-bench update    time to follow a visibility step by step over a million lights
   litfog-bench fit       time and quality of fits of an attenuation to a falloff table
   litfog-bench render    frame time and error of every lighting path, over scenes, lights and sizes
@@ -68,6 +70,10 @@ lamp_leg is 1 where the fog dims the light on its way from the lamp, too.
 
 lamps: no times; what an eye sees in exp fog that carries a lamp of data/lights and looks along its axis: the fog colour
 intensity (peak), the airlight without and with the lamp's own leg through the fog (k0, k1), and its reference.
+
+scattering: no times; M / (I d^2) for the law I / r^2 in endless fog of density d and albedo 1, in the unit of airlight, by
+depth tau = d r between eye and lamp and angle between ray and lamp; a row a phase function and depth. max_error is the
+largest relative change in the row when a third of the nodes of the solution is left out.
 
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, over a million lights of 200 kinds, all carried and on.
 bytes_per_step: what then has to be uploaded, the most of all steps.
@@ -113,7 +119,7 @@ Examples:
 Exit status: 0 done; 1 wrong command line; 3 a Debug build, no OpenGL, or --plot without gnuplot; 4 output cannot be
 written; 5 an error larger than litfog states for itself was found (the results are still written).)";
 
-enum class Benchmark { solve, airlight, lamps, update, fit, render, rejection, maps, city };
+enum class Benchmark { solve, airlight, lamps, scattering, update, fit, render, rejection, maps, city };
 
 struct Options {
   Benchmark benchmark = Benchmark::solve;
@@ -164,6 +170,8 @@ Result measure(const Options& options) {
       return measure_airlight(options.quick);
     case Benchmark::lamps:
       return measure_lamps(options.quick);
+    case Benchmark::scattering:
+      return tabulate_scattering(options.quick);
     case Benchmark::update:
       return measure_update(options.quick);
     case Benchmark::fit:
@@ -237,6 +245,7 @@ int main(int argc, char** argv) {
                         {{"solve", Benchmark::solve},
                          {"airlight", Benchmark::airlight},
                          {"lamps", Benchmark::lamps},
+                         {"scattering", Benchmark::scattering},
                          {"update", Benchmark::update},
                          {"fit", Benchmark::fit},
                          {"render", Benchmark::render},

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench/scattering_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command/progress.h"
+#include "litfog/phase.h"
+#include "measure/radial_scattering.h"
+
+namespace litfog::bench {
+namespace {
+
+constexpr int kDepths = 12, kAngles = 18;
+constexpr double kLeastDepth = 0.02, kMostDepth = 10, kLeastAngle = 0.2, kMostAngle = 180;  // degrees
+
+double between(double least, double most, int i, int count) {
+  return least * std::pow(most / least, double(i) / (count - 1));
+}
+
+double rounded(double x, int digits) { return std::stod(fmt::format("{:.{}e}", x, digits - 1)); }
+
+}  // namespace
+
+Result tabulate_scattering(bool quick) {
+  std::vector<std::pair<std::string, double>> phases;
+  for (const double g : {0.0, 0.3, 0.5, 0.7, 0.85, 0.95}) phases.emplace_back("hg", g);
+  for (const double diameter : {5, 7, 10, 14, 20, 30, 50}) phases.emplace_back("droplets", diameter);
+  if (quick) phases = {{"hg", 0}, {"droplets", 10}};
+  const double fineness = quick ? 0.6 : 1.5;
+  Result result;
+  result.table.columns = {"phase", "parameter", "tau"};
+  for (int j = 0; j < kAngles; ++j) {
+    result.table.columns.push_back(fmt::format("{:.4g} deg", between(kLeastAngle, kMostAngle, j, kAngles)));
+  }
+  result.table.columns.emplace_back("max_error");
+  command::Progress progress;
+  progress.show("placing the nodes");
+  const measure::RadialScattering fine(fineness), coarse(fineness / 1.5);
+  for (const auto& [kind, parameter] : phases) {
+    progress.show(fmt::format("scattering by {} {}", kind, parameter));
+    const Phase phase = kind == "hg" ? Phase::henyey_greenstein(parameter) : Phase::droplets(parameter);
+    const auto glow = fine.solve(phase), other = coarse.solve(phase);
+    for (int i = 0; i < kDepths; ++i) {
+      const double depth = between(kLeastDepth, kMostDepth, i, kDepths);
+      std::vector<command::Table::Cell> row{kind, parameter, rounded(depth, 5)};
+      double error = 0;
+      for (int j = 0; j < kAngles; ++j) {
+        const double angle = between(kLeastAngle, kMostAngle, j, kAngles) * std::numbers::pi / 180;
+        const double value = glow.at(depth, angle);
+        error = std::max(error, std::abs(other.at(depth, angle) / value - 1));
+        row.emplace_back(rounded(value, 5));
+      }
+      row.emplace_back(rounded(error, 2));
+      result.table.rows.push_back(std::move(row));
+      if (!quick && !(error <= measure::kRadialScatteringMaxError)) {
+        result.failures.push_back(
+            fmt::format("scattering by {} {} at a depth of {:.3g}: error {:.2g}", kind, parameter, depth, error));
+      }
+    }
+  }
+  return result;
+}
+
+}  // namespace litfog::bench
