@@ -41,7 +41,7 @@ constexpr const char* kDescription = R"(Measures litfog and its rivals: time bes
   litfog-bench solve     time against error of every method for a light's fog colour intensity
   litfog-bench airlight  time against error of every method for a light's airlight along a ray
   litfog-bench lamps     peak and airlight of four lamps over visibility, beside the reference
-  litfog-bench scattering  table of the light that fog scatters twice and more often from a point lamp
+  litfog-bench scattering table of the light that fog scatters twice and more often from a point lamp
   litfog-bench update    time to follow a visibility step by step over a million lights
   litfog-bench fit       time and quality of fits of an attenuation to a falloff table
   litfog-bench render    frame time and error of every lighting path, over scenes, lights and sizes

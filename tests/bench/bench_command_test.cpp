@@ -197,6 +197,19 @@ TEST_F(BenchMeasurement, AirlightMeasuresEveryMethodOverTheRaysThatItKnows) {
   EXPECT_NE(read("airlight.svg").find("processor time of one thread per ray"), std::string::npos);
 }
 
+TEST_F(BenchMeasurement, ScatteringTabulatesAllDepthsAndAngles) {
+  const Outcome outcome = run("scattering --quick --format json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json rows = Json::parse(outcome.out)["rows"];
+  ASSERT_EQ(rows.size(), 2 * 12u);
+  for (const Json& row : rows) {
+    EXPECT_EQ(row.size(), 3 + 18 + 1u);
+    EXPECT_GT(row["0.2 deg"].get<double>(), row["180 deg"].get<double>());
+    EXPECT_LT(row["max_error"].get<double>(), 0.1) << row;
+  }
+  EXPECT_NEAR(rows[0]["0.2 deg"].get<double>(), 39.6, 0.2) << "isotropic, as by the random walk";
+}
+
 TEST_F(BenchMeasurement, RivalsOfTheAirlightConvergeToTheReference) {
   const Outcome outcome = run("airlight --quick --format json");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
@@ -359,8 +372,8 @@ TEST_F(BenchMeasurement, FullDiskIsNoticed) {
 TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.status, kDone);
-  for (const char* part :
-       {"solve", "airlight", "lamps", "update", "fit", "--json", "--csv", "--plot", "--quick", "Exit status:"}) {
+  for (const char* part : {"solve", "airlight", "lamps", "scattering", "update", "fit", "--json", "--csv", "--plot",
+                           "--quick", "Exit status:"}) {
     EXPECT_NE(help.out.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(run("--version").status, kDone);
@@ -370,7 +383,8 @@ TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
   EXPECT_ERROR(
       run("speed"), kUsage,
-      usage_message("benchmark = speed: must be one of solve|airlight|lamps|update|fit|render|rejection|maps|city"));
+      usage_message(
+          "benchmark = speed: must be one of solve|airlight|lamps|scattering|update|fit|render|rejection|maps|city"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);
