@@ -33,7 +33,7 @@ Result tabulate_scattering(bool quick) {
   for (const double g : {0.0, 0.3, 0.5, 0.7, 0.85, 0.95}) phases.emplace_back("hg", g);
   for (const double diameter : {5, 7, 10, 14, 20, 30, 50}) phases.emplace_back("droplets", diameter);
   if (quick) phases = {{"hg", 0}, {"droplets", 10}};
-  const double fineness = quick ? 0.6 : 1.5;
+  const double fineness = quick ? 0.6 : 1;
   Result result;
   result.table.columns = {"phase", "parameter", "tau"};
   for (int j = 0; j < kAngles; ++j) {

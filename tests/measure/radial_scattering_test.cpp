@@ -27,7 +27,7 @@ const Case kCases[] = {{"isotropic", {}},
                        {"droplets of 50", Phase::droplets(50)}};
 
 const RadialScattering& nodes() {
-  static const RadialScattering result(0.8);
+  static const RadialScattering result(0.6);
   return result;
 }
 
@@ -45,9 +45,9 @@ EyeRay ray_beside(double angle) { return {.direction = {std::sin(angle), 0, -std
 double gathered(const RadialScattering::Glow& glow, const Phase& phase, double depth, int power) {
   const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = phase};
   double sum = 0;
-  constexpr int kPanels = 6;
+  constexpr int kPanels = 4;
   for (int i = 0; i < kPanels; ++i) {
-    sum += boost::math::quadrature::gauss<double, 20>::integrate(
+    sum += boost::math::quadrature::gauss<double, 15>::integrate(
         [&](double x) {
           const double angle = pi * std::pow(x, 5);
           const double light =
@@ -62,7 +62,7 @@ double gathered(const RadialScattering::Glow& glow, const Phase& phase, double d
 TEST(RadialScattering, FluxThroughASphereIsThePowerOfTheLamp) {
   for (const Case& c : kCases) {
     const auto glow = nodes().solve(c.phase);
-    for (const double depth : {0.1, 1.0, 5.0}) {
+    for (const double depth : {0.3, 3.0}) {
       // Intensity 1, power 4 pi; the unit is that of E / (4 pi).
       const double flux = depth * depth * gathered(glow, c.phase, depth, 1) / (4 * pi) + std::exp(-depth);
       EXPECT_NEAR(flux, 1, 0.01) << c.name << " at " << depth;
@@ -85,7 +85,7 @@ TEST(RadialScattering, AgreesWithTheRandomWalk) {
     for (const auto& [depth, degrees] : {std::pair{0.02, 10.0}, {0.3, 0.5}, {1.0, 3.0}, {1.0, 40.0}, {3.0, 5.0}}) {
       const double angle = degrees * pi / 180;
       measure::ScatteringWalk walk;
-      walk.paths = 8192;
+      walk.paths = 2048;
       const auto chance =
           walk_scattering(lamp_ahead(depth), {.fog = {FogMode::exp, 1}, .phase = c.phase}, ray_beside(angle), walk)
               .higher;
