@@ -10,6 +10,7 @@
 #include "command/number.h"
 #include "command/runway_lights.h"
 #include "litfog/files/phase_name.h"
+#include "litfog/multiple_scattering.h"
 #include "render/plan/lighting_path.h"
 #include "scene/file/fog_layers.h"
 
@@ -121,6 +122,7 @@ render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& p
   render::RenderSettings settings = render;
   settings.path = &path;
   settings.fog_lighting = path.takes_airlight ? fog_light.value_or(own) : render::FogLighting::peak;
+  settings.scattering = scattering.value_or(render::Scattering::all);
   if (!path.takes_airlight) settings.shadows = render::Shadows::none;
   settings.has_eye_threshold = display.glare_of(settings.fog_lighting) == Glare::eye;
   return settings;
@@ -137,6 +139,9 @@ Atmosphere DrawingOptions::atmosphere_of(const scene::Scene& scene, double metre
   air.profile = fog ? make_density_profile(layers.value_or(scene.layers), contrast) : DensityProfile{};
   if (air.profile.count > 0 && fog_mode() == FogMode::exp2) {
     command::fail_option("--fog", "exp2", "must be exp where the air has layers: --layers none draws it without");
+  }
+  if (const auto error = find_scattering_error(air); error && scattering == render::Scattering::all) {
+    command::fail_option("--scattering", "all", fmt::format("{} {}", error->field, error->rule));
   }
   return air;
 }
@@ -219,6 +224,12 @@ void add_fog_light(CLI::App& app, DrawingOptions& options) {
       {{"peak", render::FogLighting::peak}, {"airlight", render::FogLighting::airlight}},
       "How lamps light the fog: peak is the papers' way, in which only carried lights do; airlight is that of every "
       "lamp along each ray (default airlight with --path unified, else peak)");
+  command::add_choice<std::optional<render::Scattering>>(
+      app, "--scattering", options.scattering,
+      {{"single", render::Scattering::single}, {"all", render::Scattering::all}},
+      "With airlight: whether the fog sends to the eye what it scatters once, or also what it scatters more often, which "
+      "is most of it beyond one visibility (default all in exp fog of albedo 1 that is isotropic, hg:G with G in [0, "
+      "0.95] or of droplets, else single)");
 }
 
 void add_shadows(CLI::App& app, DrawingOptions& options) {
@@ -274,7 +285,7 @@ std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options) {
       rules.end(),
       {{options.fog_light ? "--fog-light peak" : name,
         is_peak,
-        {"--phase", "--phase-g", "--albedo"},
+        {"--phase", "--phase-g", "--albedo", "--scattering"},
         "only airlight scatters by it"},
        {name, path.maps == render::LightMapSet::none, {"--map-size", "--cone-maps"}, "it has no light maps"},
        {name, !is_hales_lookup(path), {"--flat-shading", "--light-ambient"}, "only lookup-3d and lookup-2d have it"},

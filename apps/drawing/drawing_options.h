@@ -40,6 +40,7 @@ struct DrawingOptions {
   int height = 720;
   render::RenderSettings render = {};
   std::optional<render::FogLighting> fog_light = {};  ///< default: airlight along `unified`, peak along the others
+  std::optional<render::Scattering> scattering = {};  ///< default: all, where fog has it
   DisplayOptions display = {};
 
   friend bool operator==(const DrawingOptions&, const DrawingOptions&) = default;
@@ -71,7 +72,7 @@ void add_path(CLI::App& app, DrawingOptions& options);
 void add_size(CLI::App& app, DrawingOptions& options);
 /// --size, --samples, --no-skip, and a group of what only re-enacts papers.
 void add_rendering(CLI::App& app, DrawingOptions& options);
-/// --fog-light, for a job over one path or all.
+/// --fog-light and --scattering, for a job over one path or all.
 void add_fog_light(CLI::App& app, DrawingOptions& options);
 /// --shadows, --shadow-lamps and --shadow-map-size, for a job over one path or all.
 void add_shadows(CLI::App& app, DrawingOptions& options);

@@ -48,6 +48,12 @@ PathModel::PathModel(const render::Renderer& renderer)
   for (ReferenceLight& light : lights_) {
     light.placed.position = render::placed_relative_to(renderer.origin(), light.placed);
   }
+  if (settings_.scattering == render::Scattering::all && !find_scattering_error(atmosphere_)) {
+    scattering_ = make_scattering_table(atmosphere_);
+    for (ReferenceLight& light : lights_) {
+      light.source = scattering_source(light.placed.light, atmosphere_);
+    }
+  }
   if (!renderer.shadows()) return;
   shadows_.emplace(renderer);
   for (const render::ShadowCaster& caster : renderer.shadows()->casters()) {
@@ -191,6 +197,11 @@ glm::dvec3 PathModel::airlight(const glm::dvec3& direction, double length) const
   for (const auto& [most, light] : candidates) {
     left_out += most;
     if (left_out > airlight_budget_) sum += unit * airlight(*light, ray) * light->placed.light.color;
+  }
+  if (!scattering_) return sum;
+  for (const ReferenceLight& light : lights_) {
+    sum += unit * multiple_scattering(light.placed, light.source, atmosphere_, *scattering_, ray) *
+           light.placed.light.color;
   }
   return sum;
 }

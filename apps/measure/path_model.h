@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "litfog/airlight.h"
+#include "litfog/multiple_scattering.h"
 #include "measure/reference_light.h"
 #include "measure/reference_shadow.h"
 #include "render/gpu/geometry_buffer.h"
@@ -120,6 +121,7 @@ class PathModel {
   Atmosphere atmosphere_;
   std::vector<scene::Material> materials_;
   std::vector<ReferenceLight> lights_;
+  std::optional<ScatteringTable> scattering_;  // of higher orders
   bool is_fog_moonlit_;
   double airlight_budget_;
   std::optional<ReferenceShadows> shadows_;

@@ -7,6 +7,7 @@
 #include "litfog/airlight.h"
 #include "litfog/fog.h"
 #include "litfog/light.h"
+#include "litfog/multiple_scattering.h"
 #include "render/render_settings.h"
 #include "scene/scene.h"
 
@@ -21,6 +22,7 @@ struct ReferenceLight {
   double fog_intensity;          ///< 0 unless the light is carried by the eye's vehicle, and in airlight
   const Cookie* cookie;          ///< replaces the cone; null: none
   glm::dmat3 cookie_from_world;  ///< rotation
+  ScatteringSource source = {};  ///< where fog scatters more than once
   bool casts_shadows = false;    ///< one of the renderer's that do
 
   /// The fraction of the axial intensity that the light sends into a unit direction.

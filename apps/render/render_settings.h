@@ -17,6 +17,12 @@ enum class FogLighting {
   airlight,
 };
 
+/// By airlight: which light the fog sends to the eye.
+enum class Scattering {
+  single,  ///< what it scatters once
+  all,     ///< also what it scatters twice and more often, in atmospheres without a find_scattering_error()
+};
+
 inline const char* name_of(FogLighting lighting) { return lighting == FogLighting::airlight ? "airlight" : "peak"; }
 
 /// What the shadows of lamps and of the directional light darken.
@@ -33,6 +39,7 @@ struct RenderSettings {
   Skipping skipping = Skipping::on;
   const LightingPath* path = &lighting_paths().front();
   FogLighting fog_lighting = FogLighting::peak;  ///< airlight: only on paths that light each fragment
+  Scattering scattering = Scattering::single;
   PaperSettings papers = {};
   int samples = 4;                  ///< a pixel, at least: 1, 2, 4 or 8
   bool has_eye_threshold = false;   ///< by airlight: points of lamps that no eye would see are left out

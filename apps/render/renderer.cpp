@@ -221,7 +221,8 @@ std::size_t Renderer::upload_lists(const FramePlan& plan) {
   light_list_.emplace(plan.light_list.data(), bytes, BufferTexture::Texel::int1);
   if (!airlight_) return bytes;
   airlight_->lights.set(plan.airlights, plan.airlight_tiles);
-  airlight_->far.set_list(plan.far_airlights);
+  airlight_->higher_orders.set(plan.higher_orders);
+  airlight_->far.set_list(plan.far_airlights, airlight_->higher_orders);
   return bytes + std::span(plan.airlights.entries).size_bytes() + std::span(plan.airlight_tiles.lists).size_bytes() +
          std::span(plan.far_airlights.lights).size_bytes();
 }
@@ -309,6 +310,7 @@ std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan) {
 void Renderer::draw_airlight(const View& view, double exposure, Interruption& interruption) {
   airlight_->seen.draw(framebuffer_, view);
   airlight_->pyramid.draw({.lights = airlight_->lights,
+                           .higher_orders = airlight_->higher_orders,
                            .seen = airlight_->seen,
                            .view = view,
                            .atmosphere = atmosphere_,

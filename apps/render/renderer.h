@@ -124,6 +124,7 @@ class Renderer {
   /// The parts of FogLighting::airlight: the lights drawn, where rays end, and the airlight within and beyond extents.
   struct Airlight {
     AirlightLights lights;
+    HigherOrderTextures higher_orders;
     FarAirlight far;
     SeenRanges seen;
     AirlightPyramid pyramid;

@@ -14,11 +14,11 @@ namespace litfog {
 
 // Light that fog scatters to the eye twice and more often, M, adds to the airlight A, which is scattered once. A
 // picture shows airlight_unit() * colour * (A + M). At the distance of one visibility from a lamp, M is several times
-// A. It is known for exp fog of albedo 1 that is isotropic, of Henyey and Greenstein's phase function with 0 <= g <=
-// 0.95, or of droplets; no ground and no wall takes part in it.
+// A. It is known for uniform exp fog of albedo 1 that is isotropic, of Henyey and Greenstein's phase function with 0 <=
+// g <= 0.95, or of droplets; no ground and no wall takes part in it.
 
-inline constexpr int kScatteringDepths = 12;  ///< by equal ratios from 0.02 to 10
-inline constexpr int kScatteringAngles = 18;  ///< by equal ratios from 0.2 to 180 degrees
+inline constexpr int kScatteringDepths = 12;  ///< from 0.02 to 10
+inline constexpr int kScatteringAngles = 18;  ///< from 0.2 to 180 degrees
 
 /// M of a point lamp for a phase function: the natural logarithm of M / (I d^2) for the attenuation I / r^2 in endless
 /// fog of density d, by the optical depth between eye and lamp and by the angle between the ray and the direction to
@@ -27,14 +27,20 @@ struct ScatteringTable {
   std::array<std::array<float, kScatteringAngles>, kScatteringDepths> logs;
 };
 
-/// Why an atmosphere has no scattering table, or nothing: its fog is not exp, its albedo is not 1, or its phase
-/// function is another than those above.
+/// Why an atmosphere has no scattering table, or nothing: its fog is not exp or has layers, its albedo is not 1, or its
+/// phase function is another than those above.
 std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere);
 
 /// The table of an atmosphere's phase function, between those of data/scattering/point.csv.
 ///
 /// throws  std::invalid_argument naming field, value and rule (find_error, find_scattering_error)
 ScatteringTable make_scattering_table(const Atmosphere& atmosphere);
+
+/// M / (I d^2) of a table, between its numbers.
+///
+/// depth  optical, >= 0; below 0.02 it counts as that, and beyond 10 the light falls by 1 / depth, as diffusion has it
+/// angle  radians, [0, pi]; below 0.2 degrees it counts as that
+double scattered_at(const ScatteringTable& table, double depth, double angle);
 
 /// Largest relative error of effective_intensity.
 inline constexpr double kEffectiveIntensityMaxError = 1e-6;
@@ -47,13 +53,29 @@ inline constexpr double kEffectiveIntensityMaxError = 1e-6;
 /// throws     std::invalid_argument naming field, value and rule
 double effective_intensity(const Attenuation& attenuation, double density);
 
+/// A light as M knows it, for all rays.
+struct ScatteringSource {
+  double intensity = 0;     ///< effective_intensity(), m^2; 0 in clear air
+  double flux = 1;          ///< mean of the cone over all directions
+  double cone_cosine = 0;   ///< mean cosine of the light's directions to its axis
+  double phase_cosine = 0;  ///< mean cosine of the phase function
+};
+
+/// light   its class sees the fog at its density scale
+/// throws  std::invalid_argument naming field, value and rule
+ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosphere);
+
 /// M of a light along a ray, in the unit of airlight().
 ///
-/// light      its class sees the fog at its density scale
+/// source     the light's
 /// table      that of the atmosphere
 /// max error  of A + M                                                                  (multiple_scattering_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
-double multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,
-                           const EyeRay& ray);
+double multiple_scattering(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
+                           const ScatteringTable& table, const EyeRay& ray);
+inline double multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,
+                                  const EyeRay& ray) {
+  return multiple_scattering(light, scattering_source(light.light, atmosphere), atmosphere, table, ray);
+}
 
 }  // namespace litfog

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <span>
 
 #include "airlight_text.h"
 #include "model/level_range.h"
 #include "model/require.h"
+#include "litfog/cone.h"
 #include "model/unchecked.h"
 
 namespace litfog {
@@ -15,7 +17,7 @@ namespace {
 
 using airlight_text::NoCookie;
 using airlight_text::Text;
-using std::max, std::exp, std::log;
+using std::clamp, std::exp, std::log, std::max, std::min;
 
 /// A row of data/scattering/point.csv.
 struct Row {
@@ -79,7 +81,7 @@ struct ScatteringText : Text<double, NoCookie> {
   const ScatteringTable& table;
 
   double litfog_scattering_log(double row, double column) const {
-    const double y = std::min(row, kScatteringDepths - 1.0), x = std::min(column, kScatteringAngles - 1.0);
+    const double y = std::clamp(row, 0.0, kScatteringDepths - 1.0), x = std::clamp(column, 0.0, kScatteringAngles - 1.0);
     const auto i = std::min(std::size_t(y), std::size_t(kScatteringDepths - 2));
     const auto j = std::min(std::size_t(x), std::size_t(kScatteringAngles - 2));
     const auto along = [&](std::size_t depth) {
@@ -89,17 +91,37 @@ struct ScatteringText : Text<double, NoCookie> {
   }
 
   static double atan(double y, double x) { return std::atan2(y, x); }
+  static double sin(double x) { return std::sin(x); }
+  static double cos(double x) { return std::cos(x); }
 
 #define LITFOG_REAL double
 #define LITFOG_CONSTANT static constexpr
 #include "litfog/shaders/multiple_scattering.glsl"  // undefines both
 };
 
+/// Calls a function with the eight nodes of Gauss and Legendre between two numbers, and with their weights.
+template <typename Add>
+void add_gauss(double from, double to, const Add& add) {
+  using Nodes = Text<double, NoCookie>;
+  for (std::size_t node = 28; node < 36; ++node) {
+    add(std::lerp(from, to, Nodes::litfog_gauss_nodes[node]), (to - from) * Nodes::litfog_gauss_weights[node]);
+  }
+}
+
+/// Mean cosine of a lobe (Draine 2003, equation 5).
+double mean_cosine(const PhaseLobe& lobe) {
+  const auto [g, alpha] = lobe;
+  return g * (1 + alpha * (3 + 2 * g * g) / 5) / (1 + alpha * (1 + 2 * g * g) / 3);
+}
+
 }  // namespace
 
 std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere) {
   if (atmosphere.fog.mode != FogMode::exp) {
     return ValueError{"fog.mode", double(atmosphere.fog.mode), "must be exp for all orders of scattering"};
+  }
+  if (atmosphere.profile.count > 0) {
+    return ValueError{"profile.count", double(atmosphere.profile.count), "must be 0 for all orders of scattering"};
   }
   if (atmosphere.albedo != 1) return ValueError{"albedo", atmosphere.albedo, "must be 1 for all orders of scattering"};
   if (place(atmosphere.phase).rows.empty()) {
@@ -131,6 +153,11 @@ ScatteringTable make_scattering_table(const Atmosphere& atmosphere) {
   return table;
 }
 
+double scattered_at(const ScatteringTable& table, double depth, double angle) {
+  const NoCookie no_cookie;
+  return ScatteringText{{no_cookie}, table}.litfog_scattered_at(depth, angle);
+}
+
 double effective_intensity(const Attenuation& attenuation, double density) {
   require(find_error(attenuation));
   if (!(density > 0 && std::isfinite(density))) {
@@ -138,40 +165,59 @@ double effective_intensity(const Attenuation& attenuation, double density) {
   }
   // Over t = ln(d r) the integrand e^(3 t - e^t) a / d^2 is analytic but for the knee, in strips of half width pi / 2.
   constexpr double kFirst = -20, kLast = 4;  // e^-20 and e^-(e^4) of the whole are left out at most
-  constexpr int kGauss = 8;
-  using Nodes = Text<double, NoCookie>;
   const double knee = std::log(density * unchecked::compute_extent(attenuation, 1));
   double sum = 0;
   double from = kFirst;
   while (from < kLast) {
     double to = std::min(from + 0.75, kLast);
     if (knee > from && knee < to) to = knee;
-    for (int i = 0; i < kGauss; ++i) {
-      const std::size_t node = kGauss * (kGauss - 1) / 2 + std::size_t(i);
-      const double depth = std::exp(std::lerp(from, to, Nodes::litfog_gauss_nodes[node]));
+    add_gauss(from, to, [&](double logarithm, double size) {
+      const double depth = std::exp(logarithm);
       const double range = depth / density;
-      sum += Nodes::litfog_gauss_weights[node] * (to - from) * depth * std::exp(-depth) * range * range *
-             attenuation_at(attenuation, range);
-    }
+      sum += size * depth * std::exp(-depth) * range * range * attenuation_at(attenuation, range);
+    });
     from = to;
   }
   return sum;
 }
 
-double multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,
-                           const EyeRay& ray) {
+ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosphere) {
+  require(find_error(light));
+  require(find_error(atmosphere));
+  ScatteringSource source;
+  const Fog fog = unchecked::scaled(atmosphere.fog, light.density_scale);
+  if (!(fog.density > 0) || std::isinf(fog.density)) return source;
+  source.intensity = effective_intensity(light.attenuation, fog.density);
+  const auto& [first, second, weight] = atmosphere.phase;
+  source.phase_cosine = weight * mean_cosine(first) + (1 - weight) * mean_cosine(second);
+  if (light.cone.is_point_light()) return source;
+  double flux = 0, cosines = 0;
+  double from = 0;
+  for (double to = 1e-3; from < std::numbers::pi; from = to, to = std::min(1.5 * to, std::numbers::pi)) {
+    add_gauss(from, to, [&](double angle, double size) {
+      const double part = size * std::sin(angle) / 2 * cone_at(light.cone, std::cos(angle));
+      flux += part;
+      cosines += part * std::cos(angle);
+    });
+  }
+  source.flux = std::min(flux, 1.0);
+  source.cone_cosine = flux > 0 ? cosines / flux : 0;
+  return source;
+}
+
+double multiple_scattering(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
+                           const ScatteringTable& table, const EyeRay& ray) {
   require(find_error(light));
   require(find_error(atmosphere));
   require(find_error(ray));
   require(find_scattering_error(atmosphere));
+  if (!(source.intensity > 0)) return 0;
   const Fog fog = unchecked::scaled(atmosphere.fog, light.light.density_scale);
   const NoCookie no_cookie;
   ScatteringText text{{no_cookie, atmosphere.profile}, table};
   const auto air = text.seen_along(light, 0, fog, ray, LampLeg::fogged, phase_text::pack<double>(atmosphere.phase));
-  const double density =
-      fog.density + air.layer_scale * mean_density(atmosphere.profile, air.lamp_height, ray.origin.y);
-  if (!(density > 0)) return 0;
-  return effective_intensity(light.light.attenuation, density) * text.litfog_multiple_scattering(air);
+  return source.intensity * text.litfog_multiple_scattering(air) *
+         text.litfog_scattered_share(air, source.flux, source.cone_cosine, source.phase_cosine);
 }
 
 }  // namespace litfog

@@ -45,12 +45,13 @@ double ScatteringBound::integral_from(double angle) const {
 }
 
 AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmosphere& atmosphere,
-                             const ScatteringBound& scattering, const glm::dvec3& eye)
+                             const ScatteringBound& scattering, const glm::dvec3& eye, const PointGlow& glow)
     : attenuation_(light.light.attenuation),
       extent_(extent),
       fog_(scaled(atmosphere.thinnest_fog(), light.light.density_scale)),
       largest_density_(scaled(atmosphere.thickest_fog(), light.light.density_scale).density),
       scattering_(&scattering),
+      glow_(glow),
       brightness_(airlight_unit(atmosphere) * largest_component(light.light.color)),
       eye_range_(glm::distance(eye, light.position)) {
   constexpr double kDensest = 1e6;  // as in light_airlight.glsl
@@ -120,6 +121,30 @@ double AirlightBound::far_peak_reach(double budget) const {
   return high;
 }
 
+double AirlightBound::glow_at(double depth, double angle) const {
+  return brightness_ * glow_.intensity * fog_.density * fog_.density * scattered_at(*glow_.table, depth, angle);
+}
+
+double AirlightBound::higher_orders(double distance) const {
+  if (!glow_.table) return 0;
+  const double depth = fog_.density * std::abs(distance - eye_range_);
+  return fog_factor_at(fog_, distance) * glow_at(depth, FarAirlightList::kPeakAngle);
+}
+
+double AirlightBound::higher_orders_reach(double budget) const {
+  if (!glow_.table) return 0;
+  const double depth = fog_.density * eye_range_;
+  const double left_out = glow_at(depth, FarAirlightList::kPeakAngle);
+  const auto peak_at = [&](double angle) { return glow_at(depth, angle) - left_out; };
+  double low = 0, high = FarAirlightList::kPeakAngle;
+  if (peak_at(low) <= budget) return 0;
+  for (int i = 0; i < 24; ++i) {
+    const double middle = (low + high) / 2;
+    (peak_at(middle) > budget ? low : high) = middle;
+  }
+  return eye_range_ * std::sin(high);
+}
+
 double AirlightBound::beyond_extent(double distance) const {
   const double range = std::max(extent_, distance - eye_range_);
   const double beyond =
@@ -137,7 +162,8 @@ double AirlightBound::k(double distance) const {
   const double bends =
       scattering_->is_isotropic() ? 1 : 15 * scattering_->integral_from(angle_at(distance)) / std::numbers::pi;
   const double slope = std::max(attenuation_.quadratic, attenuation_.linear / std::max(width(), 1e-3));
-  return bends * brightness_ * weight_ * 4 / std::max(slope, 1e-30);
+  const double single = bends * brightness_ * weight_ * 4 / std::max(slope, 1e-30);
+  return glow_.table ? single + distance * glow_at(fog_.density * eye_range_, angle_at(distance)) : single;
 }
 
 double AirlightBound::weight(double seen, double lit) const {

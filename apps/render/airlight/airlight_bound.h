@@ -6,6 +6,7 @@
 
 #include "litfog/atmosphere.h"
 #include "litfog/light.h"
+#include "litfog/multiple_scattering.h"
 
 namespace litfog::render {
 
@@ -27,6 +28,12 @@ class ScatteringBound {
   std::array<double, kAngles + 1> integrals_{};  // from each angle of a geometric series
 };
 
+/// A light as litfog/multiple_scattering.h knows it: what of it is scattered twice and more often.
+struct PointGlow {
+  const ScatteringTable* table = nullptr;  ///< none: nothing is
+  double intensity = 0;                    ///< effective, m^2
+};
+
 /// Upper bounds of a light's airlight, in the largest component of its colour; both legs lead through the fog. s is the
 /// distance from the eye, r that from the light, L from the eye to the light. litfog/shaders/airlight_bound.glsl bounds
 /// the fog's weight -f'(s) f(r) and the attenuation's integral. Along a ray the angle of scattering rises from the
@@ -39,8 +46,10 @@ class AirlightBound {
   /// extent  of the light, metres
   ///
   /// scattering  of the atmosphere's phase function; has to outlive this
+  ///
+  /// glow  has to outlive this
   AirlightBound(const PlacedLight& light, double extent, const Atmosphere& atmosphere,
-                const ScatteringBound& scattering, const glm::dvec3& eye);
+                const ScatteringBound& scattering, const glm::dvec3& eye, const PointGlow& glow = {});
 
   /// Range from the light beyond which rays pass it with at most a budget of airlight from within its extent, 0 where
   /// all do. Metres.
@@ -69,6 +78,14 @@ class AirlightBound {
   /// beyond the extent (shaders/airlight/far_peak.glsl), 0 where all do. Metres.
   double far_peak_reach(double budget) const;
 
+  /// What the light adds by being scattered twice and more often to a ray from a distance from the eye on, where angles
+  /// below FarAirlightList::kPeakAngle count as that: it falls with depth and angle.
+  double higher_orders(double distance) const;
+
+  /// Range from the light beyond which rays pass it with at most a budget of the peak that higher_orders() leaves out
+  /// (shaders/airlight/higher_orders.glsl), 0 where all do. Metres.
+  double higher_orders_reach(double budget) const;
+
   double density() const { return largest_density_; }  ///< of the thickest fog as the light's class sees it, 1/m
 
   /// Metres from the light within which its airlight is flat: half of the falloff's width, or less in dense fog.
@@ -81,6 +98,7 @@ class AirlightBound {
  private:
   double angle_at(double distance) const;  // smallest of scattering, for rays that pass the light at a distance
   double largest_phase_at(double distance) const { return scattering_->largest_from(angle_at(distance)); }
+  double glow_at(double depth, double angle) const;
   double most_at(double distance) const;  // airlight of rays that pass the light at a distance
   double reach_where_phase_is(double phase, double budget) const;
   double weight(double seen, double lit) const;
@@ -91,6 +109,7 @@ class AirlightBound {
   Fog fog_;  // the thinnest, as the light's class sees it
   double largest_density_;
   const ScatteringBound* scattering_;
+  PointGlow glow_;
   double brightness_;  // in isotropic fog
   double eye_range_;
   double weight_;  // of any ray

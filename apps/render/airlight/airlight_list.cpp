@@ -62,7 +62,8 @@ double find_bend_range(const AirlightBound& bound, double narrowing, double pixe
 }  // namespace
 
 AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
-                           double pixels_per_radian, double exposure, std::span<const std::int32_t> casters,
+                           double pixels_per_radian, double exposure, const HigherOrders& higher_orders,
+                           std::span<const std::int32_t> casters,
                            bool beyond_extents) {
   if (lights.size() == 0 || !(atmosphere.thickest_fog().density > 0)) return {};
   const double budget = kAirlightShare * visible_step(exposure) / double(lights.size());
@@ -77,10 +78,11 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const PlacedLight& placed = lights.lights()[i];
     const double eye_range = std::max(glm::distance(eye, placed.position), 1e-6);
-    const AirlightBound bound(placed, lights.extents()[i], atmosphere, scattering, eye);
+    const AirlightBound bound(placed, lights.extents()[i], atmosphere, scattering, eye, higher_orders.of(i));
     const bool has_shafts = !casters.empty() && casters[i] >= 0;
     const double far_peak_reach = beyond_extents && !has_shafts ? bound.far_peak_reach(budget) : 0;
-    const double reach = std::max(bound.reach(budget), far_peak_reach);
+    const double higher_orders_reach = bound.higher_orders_reach(budget);
+    const double reach = std::max({bound.reach(budget), far_peak_reach, higher_orders_reach});
     if (!(reach > 0)) continue;
     const double pixel = eye_range / pixels_per_radian;
     const SeenBeam beam = see_beam(placed, (eye - placed.position) / eye_range);
@@ -94,7 +96,8 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
     found.push_back(
         {{.profile = int(lights.instances()[i].axis_profile.w),
           .has_shafts = has_shafts,
-          .has_knee = placed.light.attenuation.constant<1, .has_far_peak = far_peak_reach> 0},
+          .has_knee = placed.light.attenuation.constant<1, .has_far_peak = far_peak_reach> 0,
+          .has_higher_orders = higher_orders_reach > 0},
          {.light = float(i),
           .reach = float(reach),
           .bend_range = float(is_beam ? std::min(beam_range, AirlightBound::kFarthestReach)

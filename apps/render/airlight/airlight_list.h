@@ -9,6 +9,7 @@
 
 #include "litfog/atmosphere.h"
 #include "litfog/light_bounds.h"
+#include "render/airlight/higher_orders.h"
 #include "render/light/scene_lights.h"
 
 namespace litfog::render {
@@ -33,6 +34,7 @@ struct AirlightKind {
   bool has_shafts = false;    ///< shadows cut shafts into the airlight
   bool has_knee = false;      ///< attenuation's constant below 1: full brightness up to a range
   bool has_far_peak = false;  ///< shaders/airlight/far_peak.glsl
+  bool has_higher_orders = false;  ///< shaders/airlight/higher_orders.glsl; of entries: has their peak
 
   auto operator<=>(const AirlightKind&) const = default;
 };
@@ -54,10 +56,12 @@ struct AirlightList {
 ///
 /// pixels_per_radian  of the picture, at its middle
 /// exposure           EV at which it is shown
+/// higher_orders      of the lights
 /// casters            of each light: its number among those that cut shafts, or below 0; empty: none cuts any
 /// beyond_extents     whether lights without shafts light the fog beyond their extents
 AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
-                           double pixels_per_radian, double exposure, std::span<const std::int32_t> casters = {},
+                           double pixels_per_radian, double exposure, const HigherOrders& higher_orders = {},
+                           std::span<const std::int32_t> casters = {},
                            bool beyond_extents = true);
 
 }  // namespace litfog::render

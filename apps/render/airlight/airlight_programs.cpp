@@ -21,9 +21,11 @@ const gl::Program& AirlightPrograms::program(const Atmosphere& atmosphere, const
       "{}"
       "#define LITFOG_ISOTROPIC {}\n"
       "const float profile = {}.0;  // of the lights to draw\n"
-      "const bool has_far_peak = {};\n",
+      "const bool has_far_peak = {};\n"
+      "{}",
       int(atmosphere.fog.mode), atmosphere.profile.count, lights.has_knee ? "" : "#define LITFOG_NO_KNEE\n",
-      is_isotropic ? 1 : 0, lights.profile, lights.has_far_peak);
+      is_isotropic ? 1 : 0, lights.profile, lights.has_far_peak,
+      lights.has_higher_orders ? "#define HAS_HIGHER_ORDERS\n" : "");
   std::vector<gl::ShaderSource> files = scene_shaders(lights.profile == kCookieProfile, lights.has_shafts);
   files.push_back({"generated/airlight_constants.glsl", constants});
   return programs_.emplace(key, gl::Program(vertex_file_, fragment_file_, files)).first->second;

@@ -111,6 +111,7 @@ void AirlightPyramid::draw_left_out(const Frame& frame, const Grid& grid) {
     if (grid.step >= coarsest_step(kind, frame)) continue;
     const gl::Program& program = left_out_programs_.program(frame.inputs.atmosphere, kind);
     PassTextures textures = use(program, frame, grid);
+    frame.inputs.higher_orders.bind(textures);
     frame.inputs.lights.bind_entries(textures);
     set_uniform(program, "clip_from_world", frame.inputs.view.clip_from_world);
     set_uniform(program, "target_from_picture", glm::vec4(scale, offset));
@@ -137,6 +138,7 @@ void AirlightPyramid::draw_lights(const Frame& frame, const Grid& grid, std::siz
   const gl::Program& program = tile_programs_.program(frame.inputs.atmosphere, lights.ranges()[range].kind);
   PassTextures textures = use(program, frame, grid);
   packed_.bind_positions(textures);
+  frame.inputs.higher_orders.bind(textures);
   lights.bind_entries(textures);
   lights.bind_tiles(program, textures, range);
   blocks.set(program);

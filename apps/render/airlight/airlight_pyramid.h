@@ -32,6 +32,7 @@ class AirlightPyramid {
   /// What a picture's airlight depends on, beside the light tables, cookies and shadow maps that every pass reads.
   struct Inputs {
     const AirlightLights& lights;
+    const HigherOrderTextures& higher_orders;
     const SeenRanges& seen;  ///< where rays end, at the pictures' size
     const View& view;
     const Atmosphere& atmosphere;

@@ -48,7 +48,8 @@ void FarAirlight::set_size(glm::ivec2 size) {
   check_float_framebuffer();
 }
 
-void FarAirlight::set_list(const FarAirlightList& list) {
+void FarAirlight::set_list(const FarAirlightList& list, const HigherOrderTextures& higher_orders) {
+  higher_orders_ = &higher_orders;
   depth_ = list.depth;
   ranges_ = list.ranges;
   if (is_empty()) return;
@@ -68,11 +69,13 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphe
   glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   for (const FarAirlightList::Range& range : ranges_) {
-    const gl::Program& program = light_programs_.program(atmosphere, {.profile = range.profile});
+    const gl::Program& program = light_programs_.program(
+        atmosphere, {.profile = range.profile, .has_higher_orders = !higher_orders_->is_empty()});
     program.use();
     bind_lights(program, fog_lights_);
     PassTextures textures(program);
     listed_->bind(textures.unit("far_lights"));
+    higher_orders_->bind(textures);
     set_uniform(program, "direction_from_clip", view.direction_from_clip);
     set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size));
     set_uniform(program, "eye", view.eye);

@@ -29,7 +29,9 @@ class FarAirlight {
       : fog_lights_(fog_lights), light_programs_("whole_picture.vert", "airlight/far_airlight.frag") {}
 
   /// Uploads the lights of the next frames.
-  void set_list(const FarAirlightList& list);
+  ///
+  /// higher_orders  have to outlive this or the next call
+  void set_list(const FarAirlightList& list, const HigherOrderTextures& higher_orders);
   /// Sums the airlight for a frame. Lights and cookies must be bound to their units.
   ///
   /// throws  gl::Unsupported where the driver cannot draw into textures of floats
@@ -48,6 +50,7 @@ class FarAirlight {
   glm::ivec2 size_{0};
   std::vector<FarAirlightList::Range> ranges_;
   std::optional<BufferTexture> listed_;
+  const HigherOrderTextures* higher_orders_ = nullptr;
   AirlightPrograms light_programs_;
   std::optional<gl::Program> sum_program_;
   gl::FramebufferName slabs_framebuffer_;

@@ -12,28 +12,35 @@
 namespace litfog::render {
 
 FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
-                                  double exposure, std::span<const std::int32_t> casters) {
+                                  double exposure, const HigherOrders& higher_orders,
+                                  std::span<const std::int32_t> casters) {
   FarAirlightList list;
   const double density = atmosphere.thickest_fog().density;
   if (!(density > 0) || std::isinf(density)) return list;
   // For lights, for what is too far away of all, and for what is too far away of some.
   const double budget = kFarShare / 3 * visible_step(exposure);
+  const ScatteringBound scattering(atmosphere.phase);
+  const double phase = scattering.largest_from(FarAirlightList::kPeakAngle);
   struct Candidate {
     std::int32_t light;
+    bool is_single;  // beyond its extent it adds airlight
     int profile;
     int sections;  // in which it matters
     AirlightBound bound;
     double most;  // that it adds from somewhere on
   };
+  const auto most_from = [&](const Candidate& each, double depth) {
+    return (each.is_single ? phase * each.bound.beyond_extent(depth) : 0) + each.bound.higher_orders(depth);
+  };
   std::vector<Candidate> candidates;
-  const ScatteringBound scattering(atmosphere.phase);
-  const double phase = scattering.largest_from(FarAirlightList::kPeakAngle);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const double extent = lights.extents()[i];
-    if (std::isinf(extent) || (!casters.empty() && casters[i] >= 0)) continue;
-    const AirlightBound bound(lights.lights()[i], extent, atmosphere, scattering, eye);
-    candidates.push_back({std::int32_t(i), int(lights.instances()[i].axis_profile.w), FarAirlightList::kSections, bound,
-                          phase * bound.beyond_extent(0)});
+    const bool is_single = std::isfinite(extent) && (casters.empty() || casters[i] < 0);
+    if (!is_single && !higher_orders.table) continue;
+    const AirlightBound bound(lights.lights()[i], extent, atmosphere, scattering, eye, higher_orders.of(i));
+    Candidate& each = candidates.emplace_back(
+        Candidate{std::int32_t(i), is_single, int(lights.instances()[i].axis_profile.w), FarAirlightList::kSections, bound, 0});
+    each.most = most_from(each, 0);
   }
   std::ranges::sort(candidates, {}, &Candidate::most);
   double left_out = 0;
@@ -43,7 +50,7 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
   const auto is_enough = [&](double depth) {
     double beyond = 0;
     for (const Candidate& each : candidates) {
-      if ((beyond += phase * each.bound.beyond_extent(depth)) > budget) return false;
+      if ((beyond += most_from(each, depth)) > budget) return false;
     }
     return true;
   };
@@ -58,7 +65,7 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
 
   double left_out_far = 0;
   for (int section = 1; section < FarAirlightList::kSections; ++section) {
-    for (Candidate& each : candidates) each.most = phase * each.bound.beyond_extent(list.section_begin(section));
+    for (Candidate& each : candidates) each.most = most_from(each, list.section_begin(section));
     std::ranges::sort(candidates, {}, &Candidate::most);
     for (Candidate& each : candidates) {
       if (each.sections < section) continue;
@@ -74,7 +81,7 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
     if (list.ranges.empty() || list.ranges.back().profile != each.profile) {
       list.ranges.push_back({.profile = each.profile, .first = int(list.lights.size()), .counts = {}});
     }
-    list.lights.push_back(each.light);
+    list.lights.push_back(each.is_single ? each.light : -1 - each.light);
     for (int section = 0; section < each.sections; ++section) ++list.ranges.back().counts[std::size_t(section)];
   }
   return list;

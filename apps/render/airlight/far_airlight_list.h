@@ -8,11 +8,12 @@
 #include <vector>
 
 #include "litfog/atmosphere.h"
+#include "render/airlight/higher_orders.h"
 #include "render/light/scene_lights.h"
 
 namespace litfog::render {
 
-/// The lights whose airlight beyond their extents a picture shows, grouped by profile (FogLightInstance). A ray is cut
+/// The lights whose airlight beyond their extents, or of higher orders, a picture shows, grouped by profile (FogLightInstance). A ray is cut
 /// into sections, and the farther from the eye a section lies, the fewer lights it needs.
 struct FarAirlightList {
   static constexpr int kSections = 4;
@@ -26,7 +27,7 @@ struct FarAirlightList {
     std::array<int, kSections> counts;  ///< a section has the first counts[section] lights; never increases
   };
 
-  std::vector<std::int32_t> lights;  ///< indices in SceneLights
+  std::vector<std::int32_t> lights;  ///< indices i in SceneLights; -1 - i: what it scatters once is not wanted
   std::vector<Range> ranges;
   double depth = 0;  ///< metres from the eye, beyond which nothing visible is added; at most kSkyDistance
 
@@ -37,9 +38,11 @@ struct FarAirlightList {
 /// Leaves out at most kFarShare of a step of the display in any pixel of what lights without shafts add beyond their
 /// extents. Lights that cut shafts end at their extents in the fog.
 ///
-/// exposure  EV at which the picture is shown
-/// casters   of each light: at least 0 if it cuts shafts; empty: none does
+/// exposure       EV at which the picture is shown
+/// higher_orders  of the lights
+/// casters        of each light: at least 0 if it cuts shafts; empty: none does
 FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
-                                  double exposure, std::span<const std::int32_t> casters = {});
+                                  double exposure, const HigherOrders& higher_orders = {},
+                                  std::span<const std::int32_t> casters = {});
 
 }  // namespace litfog::render

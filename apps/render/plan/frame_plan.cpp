@@ -50,6 +50,9 @@ void FramePlanner::set_atmosphere(const Atmosphere& atmosphere, bool is_fog_lit,
   shaft_casters_ = shaft_casters;
   fog_states_.resize(surfaces_.surfaces().size());
   strengths_.resize(surfaces_.lists().size());
+  plan_.higher_orders = settings_.scattering == Scattering::all && !find_scattering_error(atmosphere_)
+                            ? HigherOrders(lights_, atmosphere_)
+                            : HigherOrders();
   forget();
 }
 
@@ -175,10 +178,11 @@ void FramePlanner::make_plan(const FrameView& view) {
 void FramePlanner::plan_airlight(const FrameView& view) {
   const double exposure = view.exposures.airlight;
   plan_.airlights = list_airlight(lights_, atmosphere_, view.camera.position, view.pixels_per_radian, exposure,
-                                  shaft_casters_, lights_fog_beyond_end(settings_));
+                                  plan_.higher_orders, shaft_casters_, lights_fog_beyond_end(settings_));
   plan_.airlight_tiles = list_airlight_tiles(plan_.airlights, view.camera, view.picture_size, kCoarsestGrid);
   if (lights_fog_beyond_end(settings_)) {
-    plan_.far_airlights = list_far_airlight(lights_, atmosphere_, view.camera.position, exposure, shaft_casters_);
+    plan_.far_airlights = list_far_airlight(lights_, atmosphere_, view.camera.position, exposure, plan_.higher_orders,
+                                            shaft_casters_);
   }
   plan_.counts.airlights_drawn = plan_.airlights.entries.size();
   plan_.counts.airlights_invisible = lights_.size() - plan_.airlights.entries.size();

@@ -39,6 +39,7 @@ struct FramePlan {
   AirlightList airlights;         ///< within the lights' extents
   AirlightTiles airlight_tiles;   ///< tiles of airlights
   FarAirlightList far_airlights;  ///< beyond the lights' extents
+  HigherOrders higher_orders;     ///< of all lights
   FrameCounts counts;
 
   std::span<const std::int32_t> points() const {

@@ -9,6 +9,9 @@
 uniform vec3 eye;
 
 #include "airlight/far_peak.glsl"
+#ifdef HAS_HIGHER_ORDERS
+#include "airlight/higher_orders.glsl"
+#endif
 #include "airlight/shaft.glsl"  // uses the eye declared above
 
 layout(location = 0) out vec4 airlight;
@@ -112,9 +115,12 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
     float range = ranges / float(run);
     vec3 added = litfog_light_airlight(shown, eye, direction, range) *
                  lit_fraction(light_index, light, direction, range);
-    if (has_far_peak) {
-      added += shown.color_intensity.rgb * (litfog_airlight_unit() * far_peak(light, eye, direction, range));
-    }
+    LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
+    float peak = has_far_peak ? far_peak(air) : 0.0;
+#ifdef HAS_HIGHER_ORDERS
+    peak += higher_orders_peak(light_index, air);
+#endif
+    added += shown.color_intensity.rgb * (litfog_airlight_unit() * peak);
     sum += 0.25 * float(run) * added;
     first += run;
   } while (first < 4);

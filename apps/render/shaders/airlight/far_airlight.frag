@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Airlight of lights beyond their extents, in eight slabs of the ray through a texel, summed along the ray.
+// Airlight of lights beyond their extents and their light of higher orders, in eight slabs of the ray through a texel,
+// summed along the ray.
 
 #include "generated/airlight_constants.glsl"
 #include "cookie.glsl"
@@ -7,6 +8,9 @@
 #include "litfog/shaders/light_airlight.glsl"
 #include "litfog/shaders/light_buffer.glsl"
 #include "airlight/far_peak.glsl"
+#ifdef HAS_HIGHER_ORDERS
+#include "airlight/higher_orders.glsl"
+#endif
 #include "pixel_direction.glsl"
 
 uniform vec3 eye;
@@ -38,7 +42,10 @@ void main() {
   vec3 slabs[slabs_at_once];
   for (int i = 0; i < slabs_at_once; ++i) slabs[i] = vec3(0.0);
   for (int i = 0; i < light_count; ++i) {
-    LitfogLight light = litfog_buffered_light(texelFetch(far_lights, first_light + i).x);
+    int index = texelFetch(far_lights, first_light + i).x;
+    bool is_single = index >= 0;
+    if (!is_single) index = -1 - index;
+    LitfogLight light = litfog_buffered_light(index);
     light.axis_profile.w = profile;
     float density = litfog_light_fog_density(light);
     float extent = light.position_extent.w;
@@ -46,6 +53,18 @@ void main() {
     float approach = dot(to_light, direction);
     float square = dot(to_light, to_light) - approach * approach;
     float half_chord = sqrt(max(extent * extent - square, 0.0));
+    vec3 lamp = light.color_intensity.rgb * litfog_airlight_unit();
+#ifdef HAS_HIGHER_ORDERS
+    LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, litfog_far);
+    float intensity = scattered_intensity(index, air);
+    float beyond = litfog_scattered_beyond(air, slab_begin(first_slab), far_peak_angle);
+    for (int slab = 0; slab < slabs_at_once; ++slab) {
+      float beyond_slab = litfog_scattered_beyond(air, slab_begin(first_slab + slab + 1), far_peak_angle);
+      slabs[slab] += lamp * (intensity * (beyond - beyond_slab));
+      beyond = beyond_slab;
+    }
+    if (!is_single) continue;
+#endif
     for (int slab = 0; slab < slabs_at_once; ++slab) {
       float begin = slab_begin(first_slab + slab);
       float end = slab_begin(first_slab + slab + 1);
@@ -57,7 +76,7 @@ void main() {
                        litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
       float scattered = (end - begin - within) * fog_weight(light, density, eye.y + direction.y * seen, seen, range) * arriving;
       if (!litfog_is_isotropic(phase)) scattered *= litfog_phase(phase, max(1.0 + dot(direction, ray.xyz), far_peak_versine));
-      slabs[slab] += light.color_intensity.rgb * (litfog_airlight_unit() * scattered);
+      slabs[slab] += lamp * scattered;
     }
   }
   vec4 sum = vec4(0.0);

@@ -7,8 +7,7 @@ const float far_peak_versine = 0.01122890;  // of FarAirlightList::kPeakAngle
 const float far_peak_cotangent = 6.616592;
 
 // To be multiplied with the light's colour and litfog_airlight_unit().
-float far_peak(LitfogLight light, vec3 eye, vec3 direction, float range) {
-  LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
+float far_peak(LitfogAirlight air) {
   if (litfog_is_isotropic(air.phase)) return 0.0;
   // The stretch as distances before the closest approach to the light.
   float nearest = max(max(litfog_airlight_chord(air, air.extent), air.offset * far_peak_cotangent),

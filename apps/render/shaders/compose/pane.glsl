@@ -30,7 +30,8 @@ vec3 airlight_before(vec3 position) {
     float lit = has_shafts ? lit_fraction(index, light, direction, range) : 1.0;
     sum += lit * litfog_light_airlight(light, eye, direction, range);
     if (!has_shafts && far_depth > 0.0) {
-      sum += light.color_intensity.rgb * (litfog_airlight_unit() * far_peak(light, eye, direction, range));
+      LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
+      sum += light.color_intensity.rgb * (litfog_airlight_unit() * far_peak(air));
     }
   }
   return sum + far_airlight_at(gl_FragCoord.xy, range);

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/airlight/higher_orders.h"
+
+#include <epoxy/gl.h>
+
+#include <span>
+
+#include "render/gpu/texture_unit.h"
+
+namespace litfog::render {
+
+HigherOrders::HigherOrders(const SceneLights& lights, const Atmosphere& atmosphere)
+    : table(make_scattering_table(atmosphere)) {
+  for (const PlacedLight& placed : lights.lights()) {
+    const ScatteringSource source = scattering_source(placed.light, atmosphere);
+    sources.emplace_back(source.intensity, source.flux, source.cone_cosine, source.phase_cosine);
+  }
+}
+
+void HigherOrderTextures::set(const HigherOrders& orders) {
+  sources_.reset();
+  if (!orders.table || orders.sources.empty()) return;
+  sources_.emplace(orders.sources.data(), std::span(orders.sources).size_bytes(), BufferTexture::Texel::float4);
+  bind_texture(kUploadUnit, table_);
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, kScatteringAngles, kScatteringDepths, 0, GL_RED, GL_FLOAT,
+               orders.table->logs.data());
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+    glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  }
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+    glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  }
+}
+
+void HigherOrderTextures::bind(PassTextures& textures) const {
+  const unsigned unit = textures.unit("scattering_sources");
+  const unsigned table = textures.unit("litfog_scattering_table");
+  if (is_empty()) return;
+  sources_->bind(unit);
+  bind_texture(table, table_);
+}
+
+}  // namespace litfog::render

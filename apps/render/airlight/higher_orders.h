@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/vec4.hpp>
+#include <optional>
+#include <vector>
+
+#include "litfog/gl/gl_name.h"
+#include "litfog/multiple_scattering.h"
+#include "render/airlight/airlight_bound.h"
+#include "render/gpu/data_texture.h"
+#include "render/gpu/pass_textures.h"
+#include "render/light/scene_lights.h"
+
+namespace litfog::render {
+
+/// What of a scene's lights is scattered twice and more often (litfog/multiple_scattering.h). It is summed with what
+/// lights add beyond their extents (far_airlight.h), but for its peak around a lamp, which is drawn light by light
+/// (shaders/airlight/far_peak.glsl). Shadows do not darken it.
+struct HigherOrders {
+  std::optional<ScatteringTable> table;  ///< empty: fog scatters once
+  std::vector<glm::vec4> sources;        ///< ScatteringSource of each light, member by member
+
+  HigherOrders() = default;
+  HigherOrders(const SceneLights& lights, const Atmosphere& atmosphere);
+
+  PointGlow of(std::size_t light) const {
+    return table ? PointGlow{&*table, double(sources[light].x)} : PointGlow{};
+  }
+};
+
+/// Holds them for shaders. Needs a current GL context.
+class HigherOrderTextures {
+ public:
+  void set(const HigherOrders& orders);
+  bool is_empty() const { return !sources_; }
+  /// Lets a pass read them (shaders/airlight/higher_orders.glsl).
+  void bind(PassTextures& textures) const;
+
+ private:
+  gl::TextureName table_;
+  std::optional<BufferTexture> sources_;
+};
+
+}  // namespace litfog::render
