@@ -43,7 +43,7 @@ ScatteringTable make_scattering_table(const Atmosphere& atmosphere);
 double scattered_at(const ScatteringTable& table, double depth, double angle);
 
 /// Largest relative error of effective_intensity.
-inline constexpr double kEffectiveIntensityMaxError = 1e-6;
+inline constexpr double kEffectiveIntensityMaxError = 1e-8;
 
 /// The intensity of a lamp with 1 / r^2 that loses as much light to the fog as a light with an attenuation does: the
 /// integral of d e^(-d r) r^2 a(r) over r, m^2. A photometric light has 1 / Q of thin fog.

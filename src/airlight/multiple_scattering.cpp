@@ -66,7 +66,7 @@ PhasePlace place(const Phase& phase) {
   if (phase.weight == 1 && phase.first.alpha == 0) {
     const std::span<const Row> rows = rows_of('h');
     const double asymmetry = phase.first.asymmetry;
-    return {asymmetry > 0 && asymmetry <= rows.back().parameter() ? rows : std::span<const Row>(), asymmetry};
+    return {asymmetry >= 0 && asymmetry <= rows.back().parameter() ? rows : std::span<const Row>(), asymmetry};
   }
   const double diameter = droplets_of(phase);
   return {diameter > 0 ? rows_of('d') : std::span<const Row>(), diameter};

@@ -42,11 +42,12 @@ LITFOG_REAL litfog_scattered_at(LITFOG_REAL depth, LITFOG_REAL angle) {
   return exp(litfog_scattering_log(row, column)) * (x / max(depth, x));
 }
 
-// M, over the lamp's effective intensity, that a point on the ray receives from there on in endless fog. The point is at a distance along the ray from the closest approach. Angles below the least
-// one, radians, count as that.
+// M, over the lamp's effective intensity, that a point on the ray receives from there on in endless fog. The point is at a
+// distance along the ray from the closest approach. Angles below the least one, radians, count as that. In the lamp itself
+// the angle is a right one, as atan(0, 0) is not defined.
 LITFOG_REAL litfog_scattered_from(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL least_angle) {
   LITFOG_REAL depth = air.density * litfog_airlight_range(air, along);
-  return air.density * air.density * litfog_scattered_at(depth, max(atan(air.offset, -along), least_angle));
+  return air.density * air.density * litfog_scattered_at(depth, max(atan(max(air.offset, LITFOG_REAL(1.0e-30)), -along), least_angle));
 }
 
 // The same as the eye sees it through the fog before the point, a distance from the eye.

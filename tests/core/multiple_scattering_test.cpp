@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/multiple_scattering.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <boost/math/quadrature/gauss_kronrod.hpp>
+#include <cmath>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "reference/double_limits.h"
+#include "reference/random_light.h"
+#include "reference/ulp.h"
+#include "value_errors.h"
+
+namespace litfog::test {
+namespace {
+
+using glm::dvec3;
+using std::numbers::pi;
+
+/// A lamp of 1 / r^2 from 0.1 mm on.
+PlacedLight inverse_square_lamp(const dvec3& position) {
+  Light light;
+  light.attenuation = {.constant = 0, .linear = 0, .quadratic = 1e8};
+  return {.light = light, .position = position};
+}
+
+EyeRay ray_at(double angle, double length = kInfinity) {
+  return {.direction = {std::sin(angle), 0, -std::cos(angle)}, .length = length};
+}
+
+Atmosphere uniform_fog(double density, const Phase& phase = {}) {
+  return {.fog = {FogMode::exp, density}, .phase = phase};
+}
+
+double scattering_of(const PlacedLight& light, const Atmosphere& air, const EyeRay& ray) {
+  return multiple_scattering(light, air, make_scattering_table(air), ray);
+}
+
+std::string describe(const Attenuation& a, double density) {
+  return "C " + std::to_string(a.constant) + ", L " + std::to_string(a.linear) + ", Q " + std::to_string(a.quadratic) +
+         ", density " + std::to_string(density);
+}
+
+/// The definition's integral over the logarithm of the depth, cut at the knee and where the law changes its power.
+double integrated_intensity(const Attenuation& a, double density) {
+  std::vector<double> cuts{-60, -1, 0, 1, 2, 3, 4.5};
+  const auto cut_at = [&](double range) {
+    const double place = std::log(range * density);
+    if (place > cuts.front() && place < 4.5) cuts.push_back(place);
+  };
+  cut_at(compute_knee(a));
+  cut_at(a.constant / a.linear);
+  cut_at(a.linear / a.quadratic);
+  cut_at(std::sqrt(a.constant / a.quadratic));
+  std::ranges::sort(cuts);
+  double sum = 0;
+  for (std::size_t i = 1; i < cuts.size(); ++i) {
+    if (!(cuts[i] > cuts[i - 1])) continue;
+    sum += boost::math::quadrature::gauss_kronrod<double, 31>::integrate(
+        [&](double t) {
+          const double depth = std::exp(t), range = depth / density;
+          return depth * std::exp(-depth) * range * range * attenuation_at(a, range);
+        },
+        cuts[i - 1], cuts[i], 12, 1e-10);
+  }
+  return sum;
+}
+
+TEST(EffectiveIntensity, IsTheIntegral) {
+  Random random(4201);
+  WorstError error("effective_intensity", "C, L, Q 0 or 1e-9..1e12, d 1e-9..1e6", kEffectiveIntensityMaxError,
+                   "relative");
+  for (int i = 0; i < 3000; ++i) {
+    const auto draw = [&] { return random.chance(0.2) ? 0 : random.log_uniform(1e-9, 1e12); };
+    const Attenuation attenuation{draw(), draw(), draw()};
+    if (find_error(attenuation)) continue;
+    const double density = random.log_uniform(1e-9, 1e6);
+    error.add(std::abs(effective_intensity(attenuation, density) / integrated_intensity(attenuation, density) - 1),
+              [&] { return describe(attenuation, density); });
+  }
+  error.check();
+}
+
+TEST(EffectiveIntensity, InThinFogIsTheLampsOwn) {
+  for (const double quadratic : {1e-4, 1.0, 300.0}) {
+    EXPECT_NEAR(quadratic * effective_intensity({1, 0, quadratic}, 1e-9), 1, 1e-6);
+    EXPECT_NEAR(quadratic * effective_intensity({0, 0, quadratic}, 1e-9), 1, 1e-6);
+  }
+}
+
+TEST(EffectiveIntensity, InDenseFogIsThatOfTheNearLight) {
+  // The integral of d e^(-d r) r^2 is 2 / d^2.
+  for (const Attenuation& attenuation : {Attenuation{4, 0.1, 0.2}, Attenuation{0.5, 0, 0.01}}) {
+    const double density = 1e7;
+    const double expected = 2 / (density * density) * attenuation_at(attenuation, 0);
+    EXPECT_NEAR(effective_intensity(attenuation, density) / expected, 1, 2e-6);
+  }
+}
+
+TEST(EffectiveIntensity, BadArgumentIsNamed) {
+  EXPECT_EQ(error_of([] { effective_intensity({}, 0); }), "density = 0: must be finite and > 0");
+  EXPECT_EQ(error_of([] { effective_intensity({}, kInfinity); }), "density = inf: must be finite and > 0");
+  EXPECT_EQ(error_of([] { effective_intensity({}, kNan); }), "density = nan: must be finite and > 0");
+  EXPECT_EQ(error_of([] { effective_intensity({-1, 0, 0}, 1); }), error_of([] { compute_knee({-1, 0, 0}); }));
+}
+
+TEST(ScatteringTable, AtmosphereWithoutOneIsNamed) {
+  const auto refused = [](const Atmosphere& air) {
+    EXPECT_TRUE(find_scattering_error(air));
+    const EyeRay ray;
+    const ScatteringTable table{};
+    const std::string sentence = error_of([&] { make_scattering_table(air); });
+    EXPECT_EQ(error_of([&] { multiple_scattering(inverse_square_lamp({}), air, table, ray); }), sentence);
+    return sentence;
+  };
+  EXPECT_EQ(refused({.fog = {FogMode::exp2, 0.1}}), "fog.mode = 1: must be exp for all orders of scattering");
+  Atmosphere air = uniform_fog(0.1);
+  air.albedo = 0.5;
+  EXPECT_EQ(refused(air), "albedo = 0.5: must be 1 for all orders of scattering");
+  const std::string rule =
+      ": must be of one lobe with alpha 0 and g in [0, 0.95], or of droplets, for all orders of scattering";
+  for (const double g : {-0.2, 0.97}) {
+    EXPECT_EQ(refused(uniform_fog(0.1, Phase::henyey_greenstein(g))),
+              "phase.first.asymmetry = " + std::string(g < 0 ? "-0.2" : "0.97") + rule);
+  }
+  EXPECT_EQ(refused(uniform_fog(0.1, {.first = {.asymmetry = 0, .alpha = 1}})), "phase.first.asymmetry = 0" + rule);
+  Phase mixed = Phase::droplets(10);
+  mixed.weight *= 0.9;
+  EXPECT_NE(refused(uniform_fog(0.1, mixed)), "no error");
+}
+
+TEST(ScatteringTable, AtmosphereThatIsNoneIsNamed) {
+  const auto air = uniform_fog(-1);
+  EXPECT_EQ(error_of([&] { make_scattering_table(air); }), "fog.density = -1: " + std::string(find_error(air)->rule));
+}
+
+TEST(ScatteringTable, PhasesThatAreTheSameHaveTheSame) {
+  const ScatteringTable isotropic = make_scattering_table(uniform_fog(1));
+  EXPECT_EQ(isotropic.logs, make_scattering_table(uniform_fog(0.01, Phase::henyey_greenstein(0))).logs);
+  // The weight leaves nothing to its second lobe, or both lobes are isotropic.
+  EXPECT_EQ(isotropic.logs, make_scattering_table(uniform_fog(1, {{}, {0.4, 0}, 1})).logs);
+  EXPECT_EQ(isotropic.logs, make_scattering_table(uniform_fog(1, {{}, {}, 0.3})).logs);
+  for (const double end : {kSmallestDroplets, kLargestDroplets}) {
+    EXPECT_FALSE(find_scattering_error(uniform_fog(1, Phase::droplets(end)))) << end;
+  }
+}
+
+TEST(MultipleScattering, AwkwardRaysAreFiniteAndNotNegative) {
+  for (const Phase& phase : {Phase{}, Phase::henyey_greenstein(0.95), Phase::droplets(50)}) {
+    const ScatteringTable table = make_scattering_table(uniform_fog(1, phase));
+    for (const double density : {0.0, 1e-9, 1e-3, 1.0, 1e6, 1e9}) {
+      const Atmosphere air = uniform_fog(density, phase);
+      for (const double range : {0.0, 1e-12, 1e-3, 1.0, 1e3}) {
+        for (const double angle : {0.0, 1e-9, 0.01, pi / 2, pi}) {
+          for (const double length : {0.0, 1e-9, 1.0, range, 1e3, 1e12, kInfinity}) {
+            const PlacedLight lamp = inverse_square_lamp({0, 0, -range});
+            const double found = multiple_scattering(lamp, air, table, ray_at(angle, length));
+            EXPECT_TRUE(std::isfinite(found) && found >= 0)
+                << found << ": density " << density << ", range " << range << ", angle " << angle << ", " << length;
+            if (density == 0 || length == 0) {
+              EXPECT_EQ(found, 0);
+            }
+          }
+        }
+      }
+    }
+  }
+}
+
+TEST(MultipleScattering, WhatAClassSeesIsThinner) {
+  PlacedLight lamp = inverse_square_lamp({0, 0, -30});
+  lamp.light.density_scale = 0.25;
+  const PlacedLight other = inverse_square_lamp({0, 0, -30});
+  EXPECT_NEAR(scattering_of(lamp, uniform_fog(0.08), ray_at(0.2, 50)) /
+                  scattering_of(other, uniform_fog(0.02), ray_at(0.2, 50)),
+              1, 1e-12);
+  lamp.light.density_scale = 0;
+  EXPECT_EQ(scattering_of(lamp, uniform_fog(0.08), ray_at(0.2)), 0);
+}
+
+TEST(MultipleScattering, LayersOfOneDensityAreUniformFog) {
+  const std::vector<DensityKnot> knots{{0, 0.05}};
+  const Atmosphere layers{.profile = make_density_profile(knots)};
+  for (const double length : {3.0, 40.0, kInfinity}) {
+    const PlacedLight lamp = inverse_square_lamp({0, 5, -30});
+    EXPECT_NEAR(
+        scattering_of(lamp, layers, ray_at(0.3, length)) / scattering_of(lamp, uniform_fog(0.05), ray_at(0.3, length)),
+        1, 1e-9);
+  }
+}
+
+TEST(MultipleScattering, DistancesCountInFreePaths) {
+  // M / (I d^2) depends on depths: twice the density at half the distances has 4 times as much.
+  const double thin = scattering_of(inverse_square_lamp({0, 0, -60}), uniform_fog(0.01), ray_at(0.1, 80));
+  const double thick = scattering_of(inverse_square_lamp({0, 0, -30}), uniform_fog(0.02), ray_at(0.1, 40));
+  EXPECT_NEAR(thick / thin, 4, 1e-5);
+}
+
+TEST(MultipleScattering, PartsOfARayAddUp) {
+  Random random(4202);
+  const Atmosphere air = uniform_fog(0.03, Phase::droplets(12));
+  const ScatteringTable table = make_scattering_table(air);
+  for (int i = 0; i < 500; ++i) {
+    const PlacedLight lamp = inverse_square_lamp({0, 0, -random.log_uniform(1, 200)});
+    const double whole_length = random.chance(0.2) ? kInfinity : random.log_uniform(1, 1000);
+    const double part = random.uniform(0, std::min(whole_length, 300.0));
+    EyeRay whole = ray_at(random.uniform(0.01, pi), whole_length), near = whole, far = whole;
+    near.length = part;
+    far.origin += part * far.direction;
+    far.length -= part;
+    const double all = multiple_scattering(lamp, air, table, whole);
+    // M is a difference of two large numbers, and never below 0.
+    const double endless = multiple_scattering(lamp, air, table, ray_at(std::acos(-whole.direction.z)));
+    const double sum = multiple_scattering(lamp, air, table, near) +
+                       std::exp(-air.fog.density * part) * multiple_scattering(lamp, air, table, far);
+    EXPECT_NEAR(sum, all, 0.05 * endless + 1e-9 * all) << part << " of " << whole_length;
+  }
+}
+
+/// The largest change between neighbours of a sweep from 0 to 1, a fraction of the larger.
+template <typename Value>
+double largest_step(const Value& value, int steps) {
+  double largest = 0, before = value(0.0);
+  for (int i = 1; i <= steps; ++i) {
+    const double now = value(double(i) / steps);
+    largest = std::max(largest, std::abs(now - before) / std::max(now, before));
+    before = now;
+  }
+  return largest;
+}
+
+TEST(MultipleScattering, NothingJumps) {
+  const auto expect_smooth = [](const char* name, const auto& value) {
+    // A jump is as large in finer steps.
+    const double coarse = largest_step(value, 500), fine = largest_step(value, 4000);
+    EXPECT_LE(fine, coarse / 4 + 1e-7) << name << ": " << coarse << ", " << fine;
+  };
+  const PlacedLight lamp = inverse_square_lamp({0, 0, -30});
+  const EyeRay ray = ray_at(0.05, 60);
+  expect_smooth("asymmetry", [&](double x) {
+    return scattering_of(lamp, uniform_fog(0.05, Phase::henyey_greenstein(0.95 * x)), ray);
+  });
+  expect_smooth("diameter", [&](double x) {
+    return scattering_of(lamp, uniform_fog(0.05, Phase::droplets(std::lerp(5., 50., x))), ray);
+  });
+  const Atmosphere air = uniform_fog(0.05, Phase::droplets(12));
+  const ScatteringTable table = make_scattering_table(air);
+  const auto along = [&](const PlacedLight& light, const EyeRay& seen) {
+    return multiple_scattering(light, air, table, seen);
+  };
+  // Depths and angles across the table's ends.
+  expect_smooth("density", [&](double x) {
+    return multiple_scattering(lamp, uniform_fog(std::pow(10, 5 * x - 4), Phase::droplets(12)), table, ray_at(0.05));
+  });
+  expect_smooth("range", [&](double x) {
+    return along(inverse_square_lamp({0, 0, -std::pow(10, 5 * x - 2)}), ray_at(0.05));
+  });
+  expect_smooth("angle", [&](double x) { return along(lamp, ray_at(std::pow(10, 4 * x - 4) * pi)); });
+  expect_smooth("length", [&](double x) { return along(lamp, ray_at(0.05, std::pow(10, 3 * x))); });
+  expect_smooth("length past the lamp", [&](double x) { return along(lamp, ray_at(0.005, 20 + 20 * x)); });
+  expect_smooth("passing the lamp", [&](double x) {
+    EyeRay seen = ray_at(0.3);
+    seen.origin = {0.2, 0, 20 - 100 * x};
+    return along(lamp, seen);
+  });
+}
+
+}  // namespace
+}  // namespace litfog::test
