@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 
 #include "litfog/airlight.h"
 #include "litfog/atmosphere.h"
@@ -77,5 +78,11 @@ inline double multiple_scattering(const PlacedLight& light, const Atmosphere& at
                                   const EyeRay& ray) {
   return multiple_scattering(light, scattering_source(light.light, atmosphere), atmosphere, table, ray);
 }
+
+/// M along many rays. Columns of different lengths are a bug of the caller and assert.
+///
+/// throws     std::invalid_argument naming field, value and rule, before any result is written
+void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,
+                         std::span<const EyeRay> rays, std::span<double> scattered);
 
 }  // namespace litfog

@@ -2,6 +2,7 @@
 #include "litfog/multiple_scattering.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 #include <span>
@@ -218,6 +219,16 @@ double multiple_scattering(const PlacedLight& light, const ScatteringSource& sou
   const auto air = text.seen_along(light, 0, fog, ray, LampLeg::fogged, phase_text::pack<double>(atmosphere.phase));
   return source.intensity * text.litfog_multiple_scattering(air) *
          text.litfog_scattered_share(air, source.flux, source.cone_cosine, source.phase_cosine);
+}
+
+void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,
+                         std::span<const EyeRay> rays, std::span<double> scattered) {
+  assert(rays.size() == scattered.size());
+  require(find_error(light));
+  require(find_error(atmosphere));
+  require(find_scattering_error(atmosphere));
+  for (const EyeRay& ray : rays) require(find_error(ray));
+  for (std::size_t i = 0; i < rays.size(); ++i) scattered[i] = multiple_scattering(light, atmosphere, table, rays[i]);
 }
 
 }  // namespace litfog

@@ -7,6 +7,7 @@
 #include "c/column.h"
 #include "c/convert.h"
 #include "c/layout.h"
+#include "litfog/multiple_scattering.h"
 
 using namespace litfog;
 
@@ -36,4 +37,29 @@ litfog_status litfog_axial_airlight(const litfog_light* light, const litfog_fog*
 litfog_status litfog_light_reach(const litfog_light* light, const litfog_fog* fog, double budget, int32_t leg,
                                  double* range) {
   return c::call([&] { c::at(range, "range") = light_reach(c::light(light), c::fog(fog), budget, lamp_leg(leg)); });
+}
+
+litfog_status litfog_make_scattering_table(const litfog_atmosphere* atmosphere, litfog_scattering_table* table) {
+  return c::call([&] {
+    litfog_scattering_table& result = c::at(table, "table");
+    result = c::to_c<litfog_scattering_table>(make_scattering_table(c::atmosphere(atmosphere)));
+  });
+}
+
+litfog_status litfog_effective_intensity(const litfog_attenuation* attenuation, double density, double* intensity) {
+  return c::call([&] {
+    c::at(intensity, "intensity") = effective_intensity(c::to_cpp(c::at(attenuation, "attenuation")), density);
+  });
+}
+
+litfog_status litfog_multiple_scattering(const litfog_placed_light* light, const litfog_atmosphere* atmosphere,
+                                         const litfog_scattering_table* table, const litfog_eye_ray* rays, size_t count,
+                                         double* scattered) {
+  return c::call([&] {
+    const std::span<const litfog_eye_ray> from = c::array(rays, count, "rays");
+    const std::span<double> results = c::array(scattered, count, "scattered");
+    c::expect_apart(std::array{c::Column(results, "scattered")}, std::array{c::Column(from, "rays")});
+    multiple_scattering(c::placed_light(light), c::atmosphere(atmosphere), c::to_cpp(c::at(table, "table")),
+                        c::view_as_cpp(from), results);
+  });
 }

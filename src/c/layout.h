@@ -17,6 +17,7 @@
 #include "litfog/light.h"
 #include "litfog/light_bounds.h"
 #include "litfog/light_clusters.h"
+#include "litfog/multiple_scattering.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
 #include "litfog/view_frustum.h"
@@ -105,6 +106,9 @@ LITFOG_MEMBER(litfog_eye_ray, EyeRay, origin);
 LITFOG_MEMBER(litfog_eye_ray, EyeRay, direction);
 LITFOG_MEMBER(litfog_eye_ray, EyeRay, length);
 
+LITFOG_COUNTERPART(litfog_scattering_table, ScatteringTable);
+LITFOG_MEMBER(litfog_scattering_table, ScatteringTable, logs);
+
 LITFOG_COUNTERPART(litfog_fog_light_kind, FogLightKind);
 LITFOG_MEMBER(litfog_fog_light_kind, FogLightKind, attenuation_extent);
 LITFOG_MEMBER(litfog_fog_light_kind, FogLightKind, cone_scale_intensity);
@@ -188,7 +192,8 @@ static_assert(LITFOG_CONTRAST_MOR == kContrastMor && LITFOG_CONTRAST_KOSCHMIEDER
               LITFOG_CONTRAST_FLIGHTGEAR == kContrastFlightgear && LITFOG_DEFAULT_THRESHOLD == kDefaultThreshold &&
               LITFOG_MAX_POSITION == kMaxPosition && LITFOG_DIRECTION_TOLERANCE == kDirectionTolerance &&
               LITFOG_MAX_FLASHES == kMaxFlashes && LITFOG_MAX_FOG_LIGHTS == kMaxFogLights &&
-              LITFOG_MAX_DENSITY_KNOTS == kMaxDensityKnots && LITFOG_DEFAULT_SKIP_BUDGET_255 == kDefaultSkipBudget255);
+              LITFOG_MAX_DENSITY_KNOTS == kMaxDensityKnots && LITFOG_SCATTERING_DEPTHS == kScatteringDepths &&
+              LITFOG_SCATTERING_ANGLES == kScatteringAngles && LITFOG_DEFAULT_SKIP_BUDGET_255 == kDefaultSkipBudget255);
 
 /// A C struct as its C++ counterpart. Its enumerators are not checked here (c/convert.h).
 template <typename C>

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <cstring>
 #include <memory>
 #include <numbers>
 #include <optional>
@@ -23,6 +24,7 @@
 #include "litfog/flash.h"
 #include "litfog/fog.h"
 #include "litfog/light.h"
+#include "litfog/multiple_scattering.h"
 #include "litfog/runway_visual_range.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
@@ -321,26 +323,47 @@ static_assert(sizeof(EyeRay) == 7 * sizeof(double) && offsetof(EyeRay, direction
 
 py::dtype eye_ray_dtype() { return make_dtype({{"origin", "f8", 3}, {"direction", "f8", 3}, {"length", "f8", 1}}); }
 
-/// light and fog by value: other threads may change the caller's while this one runs.
-py::array airlights_of(PlacedLight light, const Atmosphere& atmosphere, const py::object& rays, LampLeg lamp_leg,
-                       const py::object& out) {
+/// Numbers along rays: call takes both spans without the GIL.
+template <typename Call>
+py::array along_rays(const py::object& rays, const py::object& out, const Call& call) {
   const py::array ray_array = take_array(rays, "rays", eye_ray_dtype(), false);
   const std::vector<py::ssize_t> shape{ray_array.shape(), ray_array.shape() + ray_array.ndim()};
-  py::array airlights =
+  py::array numbers =
       out.is_none() ? py::array_t<double>(shape) : take_array(out, "out", py::dtype::of<double>(), true);
-  if (!std::equal(shape.begin(), shape.end(), airlights.shape(), airlights.shape() + airlights.ndim())) {
+  if (!std::equal(shape.begin(), shape.end(), numbers.shape(), numbers.shape() + numbers.ndim())) {
     throw py::value_error("out: must have the shape " + str_of(py::tuple(py::cast(shape))) + ", has " +
-                          str_of(airlights.attr("shape")));
+                          str_of(numbers.attr("shape")));
   }
   Overlaps overlaps;
   overlaps.add(ray_array, "rays", false);
-  overlaps.add(airlights, "out", true);
+  overlaps.add(numbers, "out", true);
   const std::span rays_read(static_cast<const EyeRay*>(ray_array.data()), std::size_t(ray_array.size()));
-  const std::span results(static_cast<double*>(airlights.mutable_data()), rays_read.size());
-  const Atmosphere air = atmosphere;  // which another thread may change
+  const std::span results(static_cast<double*>(numbers.mutable_data()), rays_read.size());
   const py::gil_scoped_release released;
-  airlight(light, air, rays_read, lamp_leg, results);
-  return airlights;
+  call(rays_read, results);
+  return numbers;
+}
+
+/// light and atmosphere by value: other threads may change the caller's while this one runs.
+py::array airlights_of(PlacedLight light, Atmosphere atmosphere, const py::object& rays, LampLeg lamp_leg,
+                       const py::object& out) {
+  return along_rays(rays, out, [&](auto from, auto to) { airlight(light, atmosphere, from, lamp_leg, to); });
+}
+
+py::array_t<float> scattering_table_of(const Atmosphere& atmosphere) {
+  const ScatteringTable table = make_scattering_table(atmosphere);
+  return py::array_t<float>({kScatteringDepths, kScatteringAngles}, table.logs[0].data());
+}
+
+py::array scattering_along(PlacedLight light, Atmosphere atmosphere, const py::object& table, const py::object& rays,
+                           const py::object& out) {
+  const py::array given = take_array(table, "table", py::dtype::of<float>(), false);
+  if (given.ndim() != 2 || given.shape(0) != kScatteringDepths || given.shape(1) != kScatteringAngles) {
+    throw py::value_error("table: must be one of make_scattering_table, has the shape " + str_of(given.attr("shape")));
+  }
+  ScatteringTable copy;
+  std::memcpy(&copy, given.data(), sizeof copy);
+  return along_rays(rays, out, [&](auto from, auto to) { multiple_scattering(light, atmosphere, copy, from, to); });
 }
 
 // --- the updater ---
@@ -802,6 +825,20 @@ void bind_airlight(py::module_& m) {
         py::arg("lamp_leg") = LampLeg::fogged,
         "The range in metres beyond which a light shows on no surface and in no fog by as much as the budget, a\n"
         "fraction of its colour in (0, 1).");
+  m.def(
+      "make_scattering_table", &scattering_table_of, py::arg("atmosphere"),
+      "Light that an atmosphere's phase function scatters twice and more often from a point lamp: a float32 array of\n"
+      "optical depths by angles, the texture of litfog/shaders/multiple_scattering.glsl. ValueError unless the fog is\n"
+      "exp, its albedo 1, and it is isotropic, of one lobe with alpha 0 and g in [0, 0.95], or of droplets.");
+  m.def("effective_intensity", py::overload_cast<const Attenuation&, double>(&effective_intensity),
+        py::arg("attenuation"), py::arg("density"),
+        "The intensity of a lamp with 1 / r^2 that loses as much light to fog of a density as a light with an\n"
+        "attenuation does, m^2. density is finite and > 0.");
+  m.def("multiple_scattering", &scattering_along, py::arg("light"), py::arg("atmosphere"), py::arg("table"),
+        py::arg("rays"), py::kw_only(), py::arg("out") = py::none(),
+        "Light that the fog scatters twice and more often into the eye along rays, to be added to airlight and\n"
+        "multiplied with the light's colour. table: make_scattering_table(atmosphere); rays and out as for airlight.\n"
+        "Releases the GIL. ValueError with field, value and rule, before any result is written.");
 }
 
 void bind_updater(py::module_& m) {

@@ -21,6 +21,7 @@
 #include "litfog/c/litfog.h"
 #include "litfog/files/light_file.h"
 #include "litfog/fog_light_block.h"
+#include "litfog/multiple_scattering.h"
 #include "litfog/runway_visual_range.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
@@ -301,6 +302,42 @@ TEST_F(CFace, PackedBlockIsThatOfCpp) {
       << "and none of them is read";
 }
 
+TEST_F(CFace, MultipleScatteringIsThatOfCpp) {
+  litfog_atmosphere air{{LITFOG_FOG_EXP, 0.02}, {{0.7, 0}, {0, 0}, 1}, 1, kInfinity, {0, 0, 0}, {}};
+  const Atmosphere same{.fog = {FogMode::exp, 0.02}, .phase = Phase::henyey_greenstein(0.7)};
+  litfog_scattering_table table;
+  ASSERT_EQ(litfog_make_scattering_table(&air, &table), LITFOG_OK) << litfog_last_error();
+  const ScatteringTable expected = make_scattering_table(same);
+  EXPECT_EQ(std::memcmp(&table, &expected, sizeof table), 0);
+  litfog_eye_ray rays[] = {{{0, 0, 0}, {0, 0, -1}, kInfinity}, {{1, 2, 3}, {0, 1, 0}, 40}};
+  double found[2];
+  for (int i = 0; i < 20; ++i) {
+    const Twins twins = random_twins(random_);
+    ASSERT_EQ(litfog_multiple_scattering(&twins.c, &air, &table, rays, 2, found), LITFOG_OK) << litfog_last_error();
+    EXPECT_EQ(found[0], multiple_scattering(twins.cpp, same, expected, EyeRay{}));
+    EXPECT_EQ(found[1], multiple_scattering(twins.cpp, same, expected, {{1, 2, 3}, {0, 1, 0}, 40}));
+    double intensity;
+    ASSERT_EQ(litfog_effective_intensity(&twins.c.light.attenuation, 0.02, &intensity), LITFOG_OK);
+    EXPECT_EQ(intensity, effective_intensity(twins.cpp.light.attenuation, 0.02));
+  }
+  const Twins twins = random_twins(random_);
+  const auto expect_refused = [&](const char* sentence) {
+    found[0] = 7;
+    EXPECT_EQ(litfog_multiple_scattering(&twins.c, &air, &table, rays, 2, found), LITFOG_INVALID_ARGUMENT);
+    EXPECT_STREQ(litfog_last_error(), sentence);
+    EXPECT_EQ(found[0], 7);
+  };
+  rays[1].length = -1;
+  expect_refused("length = -1: must be >= 0");
+  air.albedo = 0.5;
+  expect_refused("albedo = 0.5: must be 1 for all orders of scattering");
+  EXPECT_EQ(litfog_make_scattering_table(&air, &table), LITFOG_INVALID_ARGUMENT);
+  EXPECT_EQ(litfog_multiple_scattering(&twins.c, &air, &table, rays, 2, &rays[1].length), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "scattered: must not overlap rays");
+  EXPECT_EQ(litfog_effective_intensity(&twins.c.light.attenuation, 0, found), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(), "density = 0: must be finite and > 0");
+}
+
 TEST_F(CFace, SizesThatNoMemoryHasAreRefusedBeforeAnythingIsRead) {
   constexpr auto kMinusOne = std::size_t(-1);
   litfog_placed_light light;
@@ -318,6 +355,8 @@ TEST_F(CFace, SizesThatNoMemoryHasAreRefusedBeforeAnythingIsRead) {
     EXPECT_NE(error.find(" = 18446744073709551615: must be at most "), error.npos) << error;
   };
   expect_refused(litfog_airlight(&light, &air_, &ray, kMinusOne, LITFOG_LAMP_LEG_FOGGED, &x));
+  const litfog_scattering_table table{};
+  expect_refused(litfog_multiple_scattering(&light, &air_, &table, &ray, kMinusOne, &x));
   expect_refused(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr));
   expect_refused(litfog_read_light("x", &light.light, &text, kMinusOne));
   expect_refused(litfog_expand_shader("", &text, kMinusOne, &length));
@@ -398,6 +437,9 @@ TEST_F(CFace, NullIsRefusedByName) {
       {"solution", [&] { return litfog_solve(&light.light, &fog_, nullptr); }},
       {"rays", [&] { return litfog_airlight(&light, &air_, nullptr, 1, LITFOG_LAMP_LEG_FOGGED, &x); }},
       {"atmosphere", [&] { return litfog_airlight(&light, nullptr, &ray, 1, LITFOG_LAMP_LEG_FOGGED, &x); }},
+      {"table", [&] { return litfog_make_scattering_table(&air_, nullptr); }},
+      {"table", [&] { return litfog_multiple_scattering(&light, &air_, nullptr, &ray, 1, &x); }},
+      {"attenuation", [&] { return litfog_effective_intensity(nullptr, 1, &x); }},
       {"updater", [&] { return litfog_updater_create(0.5, nullptr); }},
       {"updater", [&] { return litfog_updater_set_fog(updater, &fog_, &changes); }},
       {"frustum", [&] { return litfog_view_frustum_can_see_ball(nullptr, &x, 1, &can); }},

@@ -52,6 +52,11 @@ static void solve(void) {
   EXPECT(axial >= exact.intensity);
   EXPECT_OK(litfog_airlight(&light, &air, &ray, 1, LITFOG_LAMP_LEG_FOGGED, &ahead));
   EXPECT(ahead > 0 && ahead < axial);  // the lamp's own leg is fogged
+  litfog_scattering_table table;
+  double more;
+  EXPECT_OK(litfog_make_scattering_table(&air, &table));
+  EXPECT_OK(litfog_multiple_scattering(&light, &air, &table, &ray, 1, &more));
+  EXPECT(more > 0);
   EXPECT_OK(litfog_light_reach(&light.light, &fog, 1. / 255, LITFOG_LAMP_LEG_FOGGED, &reach));
   EXPECT(reach > 0 && reach <= exact.extent);
 }
@@ -176,7 +181,7 @@ static void shaders(void) {
   const litfog_shader_text* texts;
   size_t count, length;
   EXPECT_OK(litfog_shader_texts(&texts, &count));
-  EXPECT(count == 13 && strncmp(texts[0].name, "litfog/shaders/", 15) == 0 && strlen(texts[0].text) > 100);
+  EXPECT(count == 15 && strncmp(texts[0].name, "litfog/shaders/", 15) == 0 && strlen(texts[0].text) > 100);
   const char* source = "#version 330 core\n#include \"litfog/shaders/fog.glsl\"\nvoid main() {}\n";
   EXPECT_OK(litfog_expand_shader(source, NULL, 0, &length));
   char* expanded = malloc(length + 1);

@@ -221,6 +221,22 @@ TEST(MultipleScattering, PartsOfARayAddUp) {
   }
 }
 
+TEST(MultipleScattering, ManyRaysAreEachOnes) {
+  const Atmosphere air = uniform_fog(0.05, Phase::henyey_greenstein(0.8));
+  const ScatteringTable table = make_scattering_table(air);
+  const PlacedLight lamp = inverse_square_lamp({0, 0, -30});
+  std::vector<EyeRay> rays{ray_at(0.1), ray_at(2, 7), ray_at(0.3, 90)};
+  std::vector<double> found(rays.size(), 7);
+  multiple_scattering(lamp, air, table, rays, found);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    EXPECT_EQ(found[i], multiple_scattering(lamp, air, table, rays[i]));
+  }
+  found.assign(rays.size(), 7);
+  rays.back().length = -1;
+  EXPECT_EQ(error_of([&] { multiple_scattering(lamp, air, table, rays, found); }), "length = -1: must be >= 0");
+  EXPECT_EQ(found, std::vector<double>(rays.size(), 7));
+}
+
 /// The largest change between neighbours of a sweep from 0 to 1, a fraction of the larger.
 template <typename Value>
 double largest_step(const Value& value, int steps) {

@@ -501,6 +501,27 @@ class AirlightTest(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "^out: must not overlap rays$"):
             litfog.airlight(self.light, self.air, rays, out=rays.view(np.float64)[:2])
 
+    def test_all_orders_of_scattering_add_to_airlight(self):
+        table = litfog.make_scattering_table(self.air)
+        self.assertEqual((table.dtype, table.ndim), (np.float32, 2))
+        rays = np.zeros((2, 3), litfog.EYE_RAY)
+        rays["direction"] = (0, 0, -1)
+        rays["length"] = np.linspace(10, 1000, 6).reshape(2, 3)
+        scattered = litfog.multiple_scattering(self.light, self.air, table, rays)
+        self.assertEqual(scattered.shape, (2, 3))
+        self.assertTrue(np.all(np.diff(scattered.ravel()) > 0))
+        out = np.zeros((2, 3))
+        self.assertIs(litfog.multiple_scattering(self.light, self.air, table, rays, out=out), out)
+        np.testing.assert_array_equal(out, scattered)
+        thin = litfog.effective_intensity(litfog.Attenuation(0, 0, 4), 1e-6)
+        self.assertAlmostEqual(thin, 0.25, 6)
+        with self.assertRaisesRegex(ValueError, "^albedo = 0.5: must be 1 for all orders of scattering$"):
+            litfog.make_scattering_table(litfog.Atmosphere(self.fog, albedo=0.5))
+        with self.assertRaisesRegex(ValueError, r"^table: must be one of make_scattering_table, has the shape \(3,\)$"):
+            litfog.multiple_scattering(self.light, self.air, np.zeros(3, np.float32), rays)
+        with self.assertRaisesRegex(TypeError, "^table: must be a NumPy array of float32, is one of float64$"):
+            litfog.multiple_scattering(self.light, self.air, np.zeros((12, 18)), rays)
+
     def test_reach_holds_what_shows(self):
         reach = litfog.light_reach(self.light.light, self.fog, 1 / 255)
         shown = litfog.attenuation_at(self.light.light.attenuation, reach) * litfog.fog_factor_at(self.fog, reach)

@@ -361,6 +361,40 @@ LITFOG_API litfog_status litfog_axial_airlight(const litfog_light* light, const 
 LITFOG_API litfog_status litfog_light_reach(const litfog_light* light, const litfog_fog* fog, double budget,
                                             int32_t lamp_leg, double* range);
 
+// --- all orders of scattering (litfog/multiple_scattering.h) ---
+
+#define LITFOG_SCATTERING_DEPTHS 12
+#define LITFOG_SCATTERING_ANGLES 18
+
+/// Light that a phase function scatters twice and more often from a point lamp, by optical depth and angle: the texture
+/// of litfog/shaders/multiple_scattering.glsl, an angle a column.
+typedef struct litfog_scattering_table {
+  float logs[LITFOG_SCATTERING_DEPTHS][LITFOG_SCATTERING_ANGLES];
+} litfog_scattering_table;
+
+/// The table of an atmosphere's phase function.
+///
+/// atmosphere  exp fog of albedo 1, isotropic, of one lobe with alpha 0 and g in [0, 0.95], or of droplets; refused
+/// else
+LITFOG_API litfog_status litfog_make_scattering_table(const litfog_atmosphere* atmosphere,
+                                                      litfog_scattering_table* table);
+
+/// The intensity of a lamp with 1 / r^2 that loses as much light to the fog as a light with an attenuation does, m^2.
+///
+/// density  1/m, finite, > 0
+LITFOG_API litfog_status litfog_effective_intensity(const litfog_attenuation* attenuation, double density,
+                                                    double* intensity);
+
+/// Light that the fog scatters twice and more often into the eye along rays, a factor of the light's colour that adds
+/// to litfog_airlight.
+///
+/// table      that of the atmosphere
+/// scattered  one a ray, >= 0; refused where they overlap the rays
+LITFOG_API litfog_status litfog_multiple_scattering(const litfog_placed_light* light,
+                                                    const litfog_atmosphere* atmosphere,
+                                                    const litfog_scattering_table* table, const litfog_eye_ray* rays,
+                                                    size_t count, double* scattered);
+
 // --- tables and block of the shaders (litfog/fog_light_block.h): std140, ready for upload ---
 
 typedef struct litfog_fog_light_kind {
