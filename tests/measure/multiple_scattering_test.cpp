@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/multiple_scattering.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "litfog/airlight.h"
+#include "measure/quantile.h"
+#include "measure/radial_scattering.h"
+#include "measure/scattering_walk.h"
+#include "reference/double_limits.h"
+#include "reference/random_light.h"
+
+namespace litfog::test {
+namespace {
+
+using std::numbers::pi;
+
+constexpr double kQuadratic = 1e12;  // the lamp's intensity is 1 / kQuadratic, its knee 1e-6 free paths
+
+PlacedLight lamp_at(double depth) {
+  Light light;
+  light.attenuation = {.constant = 0, .linear = 0, .quadratic = kQuadratic};
+  light.threshold = 1e-17;
+  return {.light = light, .position = {0, 0, -depth}};
+}
+
+EyeRay ray_beside(double angle, double length) {
+  return {.direction = {std::sin(angle), 0, -std::cos(angle)}, .length = length};
+}
+
+/// What comes from endless fog without what comes from beyond the ray's end.
+double true_scattering(const measure::RadialScattering::Glow& glow, double depth, double angle, double length) {
+  const double whole = glow.at(depth, angle);
+  if (std::isinf(length)) return whole;
+  const double beside = depth * std::sin(angle), ahead = depth * std::cos(angle) - length;
+  return whole - std::exp(-length) * glow.at(std::hypot(beside, ahead), std::atan2(beside, ahead));
+}
+
+struct Case {
+  const char* name;
+  Phase phase;
+};
+
+/// Of those in the table and of those far from them.
+const Case kCases[] = {{"isotropic", {}},
+                       {"g 0.79", Phase::henyey_greenstein(0.79)},
+                       {"g 0.93", Phase::henyey_greenstein(0.93)},
+                       {"droplets of 8.4", Phase::droplets(8.4)},
+                       {"droplets of 17", Phase::droplets(17)}};
+
+TEST(MultipleScattering, WholeGlowOfAPointLampIsTheTrueOne) {
+  const measure::RadialScattering nodes(0.6);
+  Random random(4203);
+  std::vector<double> endless, ending, beside;
+  for (const Case& c : kCases) {
+    const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = c.phase};
+    const ScatteringTable table = make_scattering_table(air);
+    const auto glow = nodes.solve(c.phase);
+    std::vector<double> errors;
+    std::string worst;
+    for (int i = 0; i < 400; ++i) {
+      const double depth = random.log_uniform(0.02, 10), angle = random.log_uniform(0.2, 180) * pi / 180;
+      // Every other ray ends: at any distance, or at up to twice that of the closest approach.
+      const bool ends = i % 2 == 1;
+      const double approach = depth * std::cos(angle);
+      const double length = !ends                                ? kInfinity
+                            : approach > 0 && random.chance(0.5) ? std::max(0.02, approach * random.uniform(0.05, 2))
+                                                                 : random.log_uniform(0.02, 20);
+      const PlacedLight lamp = lamp_at(depth);
+      const EyeRay ray = ray_beside(angle, length);
+      const double truth = true_scattering(glow, depth, angle, length);
+      const double single = kQuadratic * reference_airlight(lamp, air, ray);
+      const double off = std::abs(kQuadratic * multiple_scattering(lamp, air, table, ray) - truth);
+      const double error = off / (single + truth);
+      (ends ? ending : endless).push_back(error);
+      if (ends) {
+        const double open = kQuadratic * airlight(lamp, air, ray_beside(angle, kInfinity)) + glow.at(depth, angle);
+        beside.push_back(off / open);
+      }
+      if (errors.empty() || error > measure::quantile(errors, 1)) {
+        char text[200];
+        std::snprintf(text, sizeof text, "depth %.3g, %.3g degrees, length %.3g", depth, angle * 180 / pi, length);
+        worst = text;
+      }
+      errors.push_back(error);
+    }
+    std::printf("%-16s median %.4f, of 9 in 10 %.4f, largest %.4f at %s\n", c.name, measure::quantile(errors, 0.5),
+                measure::quantile(errors, 0.9), measure::quantile(errors, 1), worst.c_str());
+  }
+  const double of_the_glow_beside = measure::quantile(beside, 1);
+  std::printf("ending rays, of the glow of endless ones: largest %.4f\n", of_the_glow_beside);
+  EXPECT_LE(of_the_glow_beside, kScatteringMaxError);
+  for (const auto* errors : {&endless, &ending}) {
+    EXPECT_LE(measure::quantile(*errors, 0.5), kScatteringMedianError);
+    EXPECT_LE(measure::quantile(*errors, 0.9), kScatteringTypicalError);
+    const double largest = measure::quantile(*errors, 1);
+    EXPECT_LE(largest, errors == &endless ? kScatteringMaxError : kEndedScatteringMaxError);
+    std::printf("%s rays: median %.4f, of 9 in 10 %.4f, largest %.4f\n", errors == &endless ? "endless" : "ending",
+                measure::quantile(*errors, 0.5), measure::quantile(*errors, 0.9), largest);
+  }
+}
+
+TEST(MultipleScattering, PointLampIsThatOfTheRandomWalk) {
+  for (const Case& c : {kCases[0], kCases[1], kCases[4]}) {
+    const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = c.phase};
+    const ScatteringTable table = make_scattering_table(air);
+    for (const auto& [depth, degrees, length] :
+         {std::array{0.3, 2.0, kInfinity}, {1.0, 20.0, 0.5}, {1.0, 60.0, kInfinity}, {3.0, 5.0, 2.0}}) {
+      const PlacedLight lamp = lamp_at(depth);
+      const EyeRay ray = ray_beside(degrees * pi / 180, length);
+      measure::ScatteringWalk walk;
+      walk.paths = 4096;
+      const auto chance = measure::walk_scattering(lamp, air, ray, walk);
+      const double found = multiple_scattering(lamp, air, table, ray);
+      EXPECT_NEAR(found, chance.higher.value,
+                  4 * chance.higher.error + kScatteringTypicalError * (chance.first.value + chance.higher.value))
+          << c.name << ", " << depth << ", " << degrees << ", " << length;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test
