@@ -12,6 +12,7 @@
 #include "bench/airlight_benchmark.h"
 #include "bench/city_benchmark.h"
 #include "bench/fit_benchmark.h"
+#include "bench/glow_figure.h"
 #include "bench/lamp_figure.h"
 #include "bench/machine.h"
 #include "bench/map_benchmark.h"
@@ -42,6 +43,7 @@ constexpr const char* kDescription = R"(Measures litfog and its rivals: time bes
   litfog-bench airlight  time against error of every method for a light's airlight along a ray
   litfog-bench lamps     peak and airlight of four lamps over visibility, beside the reference
   litfog-bench scattering table of the light that fog scatters twice and more often from a point lamp
+  litfog-bench glow      the glow around a point lamp over angle: scattered once, all orders, and by a random walk
   litfog-bench update    time to follow a visibility step by step over a million lights
   litfog-bench fit       time and quality of fits of an attenuation to a falloff table
   litfog-bench render    frame time and error of every lighting path, over scenes, lights and sizes
@@ -74,6 +76,9 @@ intensity (peak), the airlight without and with the lamp's own leg through the f
 scattering: no times; M / (I d^2) for the law I / r^2 in endless fog of density d and albedo 1, in the unit of airlight, by
 depth tau = d r between eye and lamp and angle between ray and lamp; a row a phase function and depth. max_error is the
 largest relative change in the row when a third of the nodes of the solution is left out.
+
+glow: no times; the same lamp's light scattered once (single) and in all orders, by litfog and by a random walk of 65,536
+paths (walk, with its standard error), over the angle, in isotropic fog and in droplets of 10 micrometres.
 
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, over a million lights of 200 kinds, all carried and on.
 bytes_per_step: what then has to be uploaded, the most of all steps.
@@ -119,7 +124,7 @@ Examples:
 Exit status: 0 done; 1 wrong command line; 3 a Debug build, no OpenGL, or --plot without gnuplot; 4 output cannot be
 written; 5 an error larger than litfog states for itself was found (the results are still written).)";
 
-enum class Benchmark { solve, airlight, lamps, scattering, update, fit, render, rejection, maps, city };
+enum class Benchmark { solve, airlight, lamps, scattering, glow, update, fit, render, rejection, maps, city };
 
 struct Options {
   Benchmark benchmark = Benchmark::solve;
@@ -172,6 +177,8 @@ Result measure(const Options& options) {
       return measure_lamps(options.quick);
     case Benchmark::scattering:
       return tabulate_scattering(options.quick);
+    case Benchmark::glow:
+      return draw_glow(options.quick);
     case Benchmark::update:
       return measure_update(options.quick);
     case Benchmark::fit:
@@ -246,6 +253,7 @@ int main(int argc, char** argv) {
                          {"airlight", Benchmark::airlight},
                          {"lamps", Benchmark::lamps},
                          {"scattering", Benchmark::scattering},
+                         {"glow", Benchmark::glow},
                          {"update", Benchmark::update},
                          {"fit", Benchmark::fit},
                          {"render", Benchmark::render},
@@ -257,7 +265,7 @@ int main(int argc, char** argv) {
   app.add_option("--json", options.json_file, "Write machine and rows as JSON")->type_name("FILE");
   app.add_option("--csv", options.csv_file, "Write the rows as CSV, the machine in each")->type_name("FILE");
   app.add_option("--plot", options.plot_file,
-                 "Draw time against error (solve, airlight), over visibility (lamps) or lights (render)")
+                 "Draw time against error (solve, airlight), over visibility (lamps), angle (glow) or lights (render)")
       ->type_name("FILE.png|FILE.svg");
   app.add_option("--isa", options.isa,
                  "Batches and cluster lists use no wider SIMD target than this, by Highway's names: AVX3, AVX2, SSE4")
@@ -271,7 +279,8 @@ int main(int argc, char** argv) {
     const bool has_batches = options.benchmark == Benchmark::solve || options.benchmark == Benchmark::airlight ||
                              options.benchmark == Benchmark::update || options.benchmark == Benchmark::city;
     const bool has_figure = options.benchmark == Benchmark::solve || options.benchmark == Benchmark::airlight ||
-                            options.benchmark == Benchmark::lamps || options.benchmark == Benchmark::render;
+                            options.benchmark == Benchmark::lamps || options.benchmark == Benchmark::glow ||
+                            options.benchmark == Benchmark::render;
     check_options(app, {{benchmark, !has_batches, {"--isa"}, "it has no batches"},
                         {benchmark, !has_figure, {"--plot"}, "it has no figure"}});
     return run(options);

@@ -210,6 +210,20 @@ TEST_F(BenchMeasurement, ScatteringTabulatesAllDepthsAndAngles) {
   EXPECT_NEAR(rows[0]["0.2 deg"].get<double>(), 39.6, 0.2) << "isotropic, as by the random walk";
 }
 
+TEST_F(BenchMeasurement, GlowIsThatOfTheRandomWalk) {
+  const Outcome outcome = run("glow --quick --json glow.json --plot glow.svg");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json rows = Json::parse(read("glow.json"))["rows"];
+  ASSERT_EQ(rows.size(), 2 * 4 * 3u);
+  for (const Json& row : rows) {
+    const auto value = [&](const char* column) { return row[column].get<double>(); };
+    EXPECT_GT(value("all"), value("single")) << row;
+    // So short a walk has errors that are themselves uncertain.
+    EXPECT_NEAR(value("all"), value("walk"), 8 * value("walk_error") + 0.3 * value("walk")) << row;
+  }
+  EXPECT_NE(read("glow.svg").find("angle from the lamp (degrees)"), std::string::npos);
+}
+
 TEST_F(BenchMeasurement, RivalsOfTheAirlightConvergeToTheReference) {
   const Outcome outcome = run("airlight --quick --format json");
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
@@ -372,8 +386,8 @@ TEST_F(BenchMeasurement, FullDiskIsNoticed) {
 TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.status, kDone);
-  for (const char* part : {"solve", "airlight", "lamps", "scattering", "update", "fit", "--json", "--csv", "--plot",
-                           "--quick", "Exit status:"}) {
+  for (const char* part : {"solve", "airlight", "lamps", "scattering", "glow", "update", "fit", "--json", "--csv",
+                           "--plot", "--quick", "Exit status:"}) {
     EXPECT_NE(help.out.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(run("--version").status, kDone);
@@ -381,10 +395,9 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
 
 TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
-  EXPECT_ERROR(
-      run("speed"), kUsage,
-      usage_message(
-          "benchmark = speed: must be one of solve|airlight|lamps|scattering|update|fit|render|rejection|maps|city"));
+  EXPECT_ERROR(run("speed"), kUsage,
+               usage_message("benchmark = speed: must be one of "
+                             "solve|airlight|lamps|scattering|glow|update|fit|render|rejection|maps|city"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);
