@@ -2,6 +2,8 @@
 // litfog: light of a point lamp that exp fog scatters to the eye twice and more often, M of litfog/multiple_scattering.h.
 // airlight.glsl has what is scattered once. Shared with C++ as airlight.glsl is; GLSL includes it after
 // light_airlight.glsl.
+//
+// In Vulkan the table is at LITFOG_SET (default 0) and LITFOG_SCATTERING_BINDING (default 3).
 
 #ifndef LITFOG_MULTIPLE_SCATTERING_GLSL
 #define LITFOG_MULTIPLE_SCATTERING_GLSL
@@ -9,9 +11,18 @@
 #ifndef __cplusplus
 #include "litfog/shaders/light_airlight.glsl"
 
-// The table of pack_scattering_table(): a texture of one component with linear filters, clamped to its edges, an angle a
+// The table of make_scattering_table(): a texture of one component with linear filters, clamped to its edges, an angle a
 // column and a depth a row.
-uniform sampler2D litfog_scattering_table;
+#ifdef VULKAN
+#ifndef LITFOG_SET
+#define LITFOG_SET 0
+#endif
+#ifndef LITFOG_SCATTERING_BINDING
+#define LITFOG_SCATTERING_BINDING 3
+#endif
+layout(set = LITFOG_SET, binding = LITFOG_SCATTERING_BINDING)
+#endif
+uniform highp sampler2D litfog_scattering_table;
 
 float litfog_scattering_log(float depth, float angle) {
   return textureLod(litfog_scattering_table, (vec2(angle, depth) + 0.5) / vec2(18.0, 12.0), 0.0).r;
