@@ -228,7 +228,10 @@ void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere,
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
   for (const EyeRay& ray : rays) require(find_error(ray));
-  for (std::size_t i = 0; i < rays.size(); ++i) scattered[i] = multiple_scattering(light, atmosphere, table, rays[i]);
+  const ScatteringSource source = scattering_source(light.light, atmosphere);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    scattered[i] = multiple_scattering(light, source, atmosphere, table, rays[i]);
+  }
 }
 
 }  // namespace litfog

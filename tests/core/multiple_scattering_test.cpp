@@ -121,6 +121,9 @@ TEST(ScatteringTable, AtmosphereWithoutOneIsNamed) {
   Atmosphere air = uniform_fog(0.1);
   air.albedo = 0.5;
   EXPECT_EQ(refused(air), "albedo = 0.5: must be 1 for all orders of scattering");
+  const std::vector<DensityKnot> knots{{0, 0.05}};
+  EXPECT_EQ(refused({.profile = make_density_profile(knots)}),
+            "profile.count = 1: must be 0 for all orders of scattering");
   const std::string rule =
       ": must be of one lobe with alpha 0 and g in [0, 0.95], or of droplets, for all orders of scattering";
   for (const double g : {-0.2, 0.97}) {
@@ -180,17 +183,6 @@ TEST(MultipleScattering, WhatAClassSeesIsThinner) {
               1, 1e-12);
   lamp.light.density_scale = 0;
   EXPECT_EQ(scattering_of(lamp, uniform_fog(0.08), ray_at(0.2)), 0);
-}
-
-TEST(MultipleScattering, LayersOfOneDensityAreUniformFog) {
-  const std::vector<DensityKnot> knots{{0, 0.05}};
-  const Atmosphere layers{.profile = make_density_profile(knots)};
-  for (const double length : {3.0, 40.0, kInfinity}) {
-    const PlacedLight lamp = inverse_square_lamp({0, 5, -30});
-    EXPECT_NEAR(
-        scattering_of(lamp, layers, ray_at(0.3, length)) / scattering_of(lamp, uniform_fog(0.05), ray_at(0.3, length)),
-        1, 1e-9);
-  }
 }
 
 TEST(MultipleScattering, DistancesCountInFreePaths) {
