@@ -18,8 +18,8 @@ namespace litfog {
 // A. It is known for uniform exp fog of albedo 1 that is isotropic, of Henyey and Greenstein's phase function with 0 <=
 // g <= 0.95, or of droplets; no ground and no wall takes part in it.
 
-inline constexpr int kScatteringDepths = 12;  ///< from 0.02 to 10
-inline constexpr int kScatteringAngles = 18;  ///< from 0.2 to 180 degrees
+inline constexpr int kScatteringDepths = 45;  ///< from 0.02 to 10
+inline constexpr int kScatteringAngles = 69;  ///< from 0.2 to 180 degrees
 
 /// M of a point lamp for a phase function: the natural logarithm of M / (I d^2) for the attenuation I / r^2 in endless
 /// fog of density d, by the optical depth between eye and lamp and by the angle between the ray and the direction to
@@ -70,19 +70,16 @@ ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosph
 /// lamp with 1 / r^2 in uniform fog, at optical depths of 0.02 to 10 between lamp and eye and angles of 0.2 to 180
 /// degrees.
 ///
-/// | rays                                                                  | bound                    |
-/// |-----------------------------------------------------------------------|--------------------------|
-/// | half of them                                                          | kScatteringMedianError   |
-/// | 9 of 10                                                               | kScatteringTypicalError  |
-/// | all that do not end                                                   | kScatteringMaxError      |
-/// | all that end, 0.02 mean free paths or more from the eye               | kEndedScatteringMaxError |
-/// | the same, as fractions of A + M of the endless ray                    | kScatteringMaxError      |
+/// | rays, endless or 0.02 mean free paths long or longer | bound                   |
+/// |------------------------------------------------------|-------------------------|
+/// | half of them                                         | kScatteringMedianError  |
+/// | 9 of 10                                              | kScatteringTypicalError |
+/// | all                                                  | kScatteringMaxError     |
 ///
 /// Of a ray that ends long before it passes the lamp M is the difference of two numbers that are almost the same.
-inline constexpr double kScatteringMedianError = 0.01;
-inline constexpr double kScatteringTypicalError = 0.05;
+inline constexpr double kScatteringMedianError = 0.003;
+inline constexpr double kScatteringTypicalError = 0.02;
 inline constexpr double kScatteringMaxError = 0.2;
-inline constexpr double kEndedScatteringMaxError = 0.5;
 
 /// M of a light along a ray, in the unit of airlight().
 ///

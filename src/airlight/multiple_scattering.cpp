@@ -8,9 +8,9 @@
 #include <span>
 
 #include "airlight_text.h"
+#include "litfog/cone.h"
 #include "model/level_range.h"
 #include "model/require.h"
-#include "litfog/cone.h"
 #include "model/unchecked.h"
 
 namespace litfog {
@@ -20,10 +20,16 @@ using airlight_text::NoCookie;
 using airlight_text::Text;
 using std::clamp, std::exp, std::log, std::max, std::min;
 
+/// The table of the shaders has this many steps to one of data/scattering/point.csv: between nodes that stand so close
+/// bilinear interpolation does.
+constexpr int kFineness = 4;
+constexpr int kTabulatedDepths = (kScatteringDepths - 1) / kFineness + 1;
+constexpr int kTabulatedAngles = (kScatteringAngles - 1) / kFineness + 1;
+
 /// A row of data/scattering/point.csv.
 struct Row {
   const char* phase;
-  double numbers[kScatteringAngles + 3];  // the phase function's parameter, the depth, M / (I d^2), their error
+  double numbers[kTabulatedAngles + 3];  // the phase function's parameter, the depth, M / (I d^2), their error
 
   double parameter() const { return numbers[0]; }
   double logarithm(int angle) const { return std::log(numbers[2 + angle]); }
@@ -31,7 +37,7 @@ struct Row {
 constexpr Row kRows[] = {
 #include "scattering_rows.inc"
 };
-static_assert(std::size(kRows) % kScatteringDepths == 0);
+static_assert(std::size(kRows) % kTabulatedDepths == 0);
 
 /// The rows of phase functions of a kind, one table after the other, by rising parameters.
 std::span<const Row> rows_of(char kind) {
@@ -82,7 +88,8 @@ struct ScatteringText : Text<double, NoCookie> {
   const ScatteringTable& table;
 
   double litfog_scattering_log(double row, double column) const {
-    const double y = std::clamp(row, 0.0, kScatteringDepths - 1.0), x = std::clamp(column, 0.0, kScatteringAngles - 1.0);
+    const double y = std::clamp(row, 0.0, kScatteringDepths - 1.0),
+                 x = std::clamp(column, 0.0, kScatteringAngles - 1.0);
     const auto i = std::min(std::size_t(y), std::size_t(kScatteringDepths - 2));
     const auto j = std::min(std::size_t(x), std::size_t(kScatteringAngles - 2));
     const auto along = [&](std::size_t depth) {
@@ -115,6 +122,19 @@ double mean_cosine(const PhaseLobe& lobe) {
   return g * (1 + alpha * (3 + 2 * g * g) / 5) / (1 + alpha * (1 + 2 * g * g) / 3);
 }
 
+/// Number i of the fine ones: Edwin Catmull and Raphael Rom's cubic between tabulated numbers, of which the outermost
+/// go on as a parabola.
+template <std::size_t kCount>
+double cubic_at(const std::array<double, kCount>& numbers, int i) {
+  const auto first = std::min(std::size_t(i / kFineness), kCount - 2);
+  const double t = double(i) / kFineness - double(first);
+  const auto at = [&](std::size_t k) { return numbers[k]; };
+  const double b = at(first), c = at(first + 1);
+  const double a = first > 0 ? at(first - 1) : 3 * b - 3 * c + at(first + 2);
+  const double d = first + 2 < kCount ? at(first + 2) : 3 * c - 3 * b + at(first - 1);
+  return b + t / 2 * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
+}
+
 }  // namespace
 
 std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere) {
@@ -137,18 +157,26 @@ ScatteringTable make_scattering_table(const Atmosphere& atmosphere) {
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
   const PhasePlace at = place(atmosphere.phase);
-  const std::size_t tables = at.rows.size() / kScatteringDepths;
-  const auto parameter = [&](std::size_t i) { return coordinate(at, at.rows[i * kScatteringDepths].parameter()); };
+  const std::size_t tables = at.rows.size() / kTabulatedDepths;
+  const auto parameter = [&](std::size_t i) { return coordinate(at, at.rows[i * kTabulatedDepths].parameter()); };
   const double x = coordinate(at, at.parameter);
   std::size_t below = 0;
   while (below + 2 < tables && parameter(below + 1) <= x) ++below;
   const double share = std::clamp((x - parameter(below)) / (parameter(below + 1) - parameter(below)), 0.0, 1.0);
+  std::array<std::array<double, kTabulatedAngles>, kTabulatedDepths> logs;
+  for (std::size_t i = 0; i < kTabulatedDepths; ++i) {
+    const Row& first = at.rows[below * kTabulatedDepths + i];
+    const Row& second = at.rows[(below + 1) * kTabulatedDepths + i];
+    for (int j = 0; j < kTabulatedAngles; ++j) {
+      logs[i][std::size_t(j)] = std::lerp(first.logarithm(j), second.logarithm(j), share);
+    }
+  }
   ScatteringTable table;
-  for (std::size_t i = 0; i < kScatteringDepths; ++i) {
-    const Row& first = at.rows[below * kScatteringDepths + i];
-    const Row& second = at.rows[(below + 1) * kScatteringDepths + i];
-    for (int j = 0; j < kScatteringAngles; ++j) {
-      table.logs[i][std::size_t(j)] = float(std::lerp(first.logarithm(j), second.logarithm(j), share));
+  for (int j = 0; j < kScatteringAngles; ++j) {
+    std::array<double, kTabulatedDepths> column;
+    for (std::size_t i = 0; i < kTabulatedDepths; ++i) column[i] = cubic_at<kTabulatedAngles>(logs[i], j);
+    for (int i = 0; i < kScatteringDepths; ++i) {
+      table.logs[std::size_t(i)][std::size_t(j)] = float(cubic_at<kTabulatedDepths>(column, i));
     }
   }
   return table;

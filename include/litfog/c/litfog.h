@@ -363,8 +363,8 @@ LITFOG_API litfog_status litfog_light_reach(const litfog_light* light, const lit
 
 // --- all orders of scattering (litfog/multiple_scattering.h) ---
 
-#define LITFOG_SCATTERING_DEPTHS 12
-#define LITFOG_SCATTERING_ANGLES 18
+#define LITFOG_SCATTERING_DEPTHS 45
+#define LITFOG_SCATTERING_ANGLES 69
 
 /// Light that a phase function scatters twice and more often from a point lamp, by optical depth and angle: the texture
 /// of litfog/shaders/multiple_scattering.glsl, an angle a column.

@@ -25,7 +25,7 @@ layout(set = LITFOG_SET, binding = LITFOG_SCATTERING_BINDING)
 uniform highp sampler2D litfog_scattering_table;
 
 float litfog_scattering_log(float depth, float angle) {
-  return textureLod(litfog_scattering_table, (vec2(angle, depth) + 0.5) / vec2(18.0, 12.0), 0.0).r;
+  return textureLod(litfog_scattering_table, (vec2(angle, depth) + 0.5) / vec2(69.0, 45.0), 0.0).r;
 }
 
 #define LITFOG_REAL float
@@ -37,10 +37,10 @@ float litfog_scattering_log(float depth, float angle) {
 LITFOG_CONSTANT LITFOG_REAL litfog_least_scattering_depth = LITFOG_REAL(0.02);
 LITFOG_CONSTANT LITFOG_REAL litfog_most_scattering_depth = LITFOG_REAL(10.0);
 LITFOG_CONSTANT LITFOG_REAL litfog_first_scattering_depth = LITFOG_REAL(-3.906023005428146);
-LITFOG_CONSTANT LITFOG_REAL litfog_scattering_depth_step = LITFOG_REAL(0.8371461907656539);
+LITFOG_CONSTANT LITFOG_REAL litfog_scattering_depth_step = LITFOG_REAL(0.2092865476914135);
 LITFOG_CONSTANT LITFOG_REAL litfog_least_scattering_angle = LITFOG_REAL(0.00349065850399);  // 0.2 degrees
 LITFOG_CONSTANT LITFOG_REAL litfog_first_scattering_angle = LITFOG_REAL(-5.655919548222917);
-LITFOG_CONSTANT LITFOG_REAL litfog_scattering_angle_step = LITFOG_REAL(0.4924379859333655);
+LITFOG_CONSTANT LITFOG_REAL litfog_scattering_angle_step = LITFOG_REAL(0.1231094964833414);
 
 // M d^-2 of a lamp of 1 / r^2 in endless fog of density d, at an optical depth from the lamp and an angle between the ray
 // and the direction to the lamp. Depths and angles below the table's count as its first. Beyond its last depth the light
