@@ -227,7 +227,8 @@ void add_fog_light(CLI::App& app, DrawingOptions& options) {
   command::add_choice<std::optional<render::Scattering>>(
       app, "--scattering", options.scattering,
       {{"single", render::Scattering::single}, {"all", render::Scattering::all}},
-      "With airlight: whether the fog sends to the eye what it scatters once, or also what it scatters more often, which "
+      "With airlight: whether the fog sends to the eye what it scatters once, or also what it scatters more often, "
+      "which "
       "is most of it beyond one visibility (default all in exp fog of albedo 1 that is isotropic, hg:G with G in [0, "
       "0.95] or of droplets, else single)");
 }

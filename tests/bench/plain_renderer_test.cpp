@@ -59,8 +59,8 @@ TEST_F(PlainRendererTest, PlainDrawsThePictureOfUnified) {
     // A partly covered pixel is shaded at its centre, which may lie beyond its triangle: unified, but not plain, then
     // takes the nearest position within the surface's bounds. plain_renderer.h states the fraction. Fog only lowers the
     // contrast of edges.
-    const std::vector<Fog> every_fog{Fog{}, Fog::from_visibility(FogMode::exp, visibility),
-                                     Fog::from_visibility(FogMode::exp2, visibility)};
+    std::vector<Fog> every_fog{Fog{}, Fog::from_visibility(FogMode::exp, visibility)};
+    if (scene.atmosphere.profile.count == 0) every_fog.push_back(Fog::from_visibility(FogMode::exp2, visibility));
     for (const auto& [samples, most, fogs] :
          {std::tuple(1, std::size_t{0}, every_fog), {4, std::size_t{3 * kWidth * kHeight} / 300, {Fog{}}}}) {
       PlainRenderer plain(scene, kWidth, kHeight, samples);

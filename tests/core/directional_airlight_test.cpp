@@ -133,9 +133,9 @@ TEST(DirectionalAirlight, EndlessRayIsTheLimitOfLongOnes) {
 TEST(DirectionalAirlight, NoLightEntersFogWithoutAnEndAbove) {
   const std::array<DensityKnot, 2> cloud{{{100, 0}, {120, 0.1}}};
   const std::array<DensityKnot, 2> ground{{{100, 0.1}, {120, 0}}};
-  for (const Atmosphere& air : {Atmosphere{.fog = {FogMode::exp, 0.01}},
-                                Atmosphere{.profile = make_density_profile(cloud)},
-                                Atmosphere{.fog = {FogMode::exp, 1e-4}, .profile = make_density_profile(ground)}}) {
+  for (const Atmosphere& air :
+       {Atmosphere{.fog = {FogMode::exp, 0.01}}, Atmosphere{.profile = make_density_profile(cloud)},
+        Atmosphere{.fog = {FogMode::exp, 1e-4}, .profile = make_density_profile(ground)}}) {
     EXPECT_FALSE(is_open_above(air));
     for (const double rise : {-1.0, 0.0, 1.0}) {
       const dvec3 direction{std::sqrt(1 - rise * rise), rise, 0};
@@ -161,7 +161,9 @@ TEST(DirectionalAirlight, BadArgumentIsNamed) {
   EXPECT_EQ(error_of([&] { directional_airlight(exp2, {0, 1, 0}, {}); }), "fog.mode = 1: must be exp");
   EXPECT_EQ(error_of([&] { directional_airlight(air, {0, 2, 0}, {}); }), "to_light = 2: length must be 1 within 1e-6");
   EXPECT_EQ(error_of([&] { directional_airlight(air, {0, 1, 0}, {.length = -1}); }), "length = -1: must be >= 0");
-  EXPECT_EQ(error_of([&] { directional_fog_factor(air, {0, 1, 0}, kNan); }),
+  EXPECT_EQ(error_of([&] {
+              directional_fog_factor(air, {0, 1, 0}, kNan);
+            }),
             "height = nan: must be at most 16777216 in magnitude");
 }
 

@@ -27,9 +27,8 @@ TEST_F(DirectionalAirlightShader, AirlightAndFactorAreThoseOfTheLibrary) {
                                         {.fog = {FogMode::exp, double(0.5f)}, .top = 90},
                                         {.phase = droplets, .profile = make_density_profile(knots)},
                                         {.profile = make_density_profile(cloud)}}};
-  const auto rays = random_points([](Random& random) {
-    return vec4(glm::vec3(draw_direction(random)), float(random.log_uniform(1e-2, 5e4)));
-  });
+  const auto rays = random_points(
+      [](Random& random) { return vec4(glm::vec3(draw_direction(random)), float(random.log_uniform(1e-2, 5e4))); });
   Random more(4144);
   std::vector<vec4> lights(rays.size());
   for (vec4& light : lights) {

@@ -139,7 +139,7 @@ TEST(FarAirlightList, NothingIsListedInClearAirAndInTotalFogOrOfLightsThatCutSha
   const Fog fog{FogMode::exp, 0.001};
   const std::vector<std::int32_t> casters{0};
   ASSERT_EQ(list_far_airlight(lights, {fog}, {}, 0).lights.size(), 1u);
-  EXPECT_EQ(list_far_airlight(lights, {fog}, {}, 0, casters).depth, 0);
+  EXPECT_EQ(list_far_airlight(lights, {fog}, {}, 0, {}, casters).depth, 0);
   EXPECT_EQ(list_far_airlight(lights, {{FogMode::exp, 0}}, {}, 0).depth, 0);
   EXPECT_EQ(list_far_airlight(lights, {{FogMode::exp, kInfinity}}, {}, 0).depth, 0);
   scene.lights[0].light.attenuation = {2, 0, 0};

@@ -63,8 +63,7 @@ double find_bend_range(const AirlightBound& bound, double narrowing, double pixe
 
 AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
                            double pixels_per_radian, double exposure, const HigherOrders& higher_orders,
-                           std::span<const std::int32_t> casters,
-                           bool beyond_extents) {
+                           std::span<const std::int32_t> casters, bool beyond_extents) {
   if (lights.size() == 0 || !(atmosphere.thickest_fog().density > 0)) return {};
   const double budget = kAirlightShare * visible_step(exposure) / double(lights.size());
   const double gain = std::exp2(exposure);

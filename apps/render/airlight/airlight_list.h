@@ -30,10 +30,10 @@ struct AirlightEntry {
 
 /// Lights of one kind are drawn by one program.
 struct AirlightKind {
-  int profile;                ///< FogLightInstance
-  bool has_shafts = false;    ///< shadows cut shafts into the airlight
-  bool has_knee = false;      ///< attenuation's constant below 1: full brightness up to a range
-  bool has_far_peak = false;  ///< shaders/airlight/far_peak.glsl
+  int profile;                     ///< FogLightInstance
+  bool has_shafts = false;         ///< shadows cut shafts into the airlight
+  bool has_knee = false;           ///< attenuation's constant below 1: full brightness up to a range
+  bool has_far_peak = false;       ///< shaders/airlight/far_peak.glsl
   bool has_higher_orders = false;  ///< shaders/airlight/higher_orders.glsl; of entries: has their peak
 
   auto operator<=>(const AirlightKind&) const = default;
@@ -61,7 +61,6 @@ struct AirlightList {
 /// beyond_extents     whether lights without shafts light the fog beyond their extents
 AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
                            double pixels_per_radian, double exposure, const HigherOrders& higher_orders = {},
-                           std::span<const std::int32_t> casters = {},
-                           bool beyond_extents = true);
+                           std::span<const std::int32_t> casters = {}, bool beyond_extents = true);
 
 }  // namespace litfog::render

@@ -38,8 +38,8 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
     const bool is_single = std::isfinite(extent) && (casters.empty() || casters[i] < 0);
     if (!is_single && !higher_orders.table) continue;
     const AirlightBound bound(lights.lights()[i], extent, atmosphere, scattering, eye, higher_orders.of(i));
-    Candidate& each = candidates.emplace_back(
-        Candidate{std::int32_t(i), is_single, int(lights.instances()[i].axis_profile.w), FarAirlightList::kSections, bound, 0});
+    Candidate& each = candidates.emplace_back(Candidate{
+        std::int32_t(i), is_single, int(lights.instances()[i].axis_profile.w), FarAirlightList::kSections, bound, 0});
     each.most = most_from(each, 0);
   }
   std::ranges::sort(candidates, {}, &Candidate::most);

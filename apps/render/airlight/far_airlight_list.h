@@ -13,8 +13,9 @@
 
 namespace litfog::render {
 
-/// The lights whose airlight beyond their extents, or of higher orders, a picture shows, grouped by profile (FogLightInstance). A ray is cut
-/// into sections, and the farther from the eye a section lies, the fewer lights it needs.
+/// The lights whose airlight beyond their extents, or of higher orders, a picture shows, grouped by profile
+/// (FogLightInstance). A ray is cut into sections, and the farther from the eye a section lies, the fewer lights it
+/// needs.
 struct FarAirlightList {
   static constexpr int kSections = 4;
   /// Radians: smaller angles of scattering count as this one. The rest, a peak of the phase function too narrow for the

@@ -24,9 +24,7 @@ struct HigherOrders {
   HigherOrders() = default;
   HigherOrders(const SceneLights& lights, const Atmosphere& atmosphere);
 
-  PointGlow of(std::size_t light) const {
-    return table ? PointGlow{&*table, double(sources[light].x)} : PointGlow{};
-  }
+  PointGlow of(std::size_t light) const { return table ? PointGlow{&*table, double(sources[light].x)} : PointGlow{}; }
 };
 
 /// Holds them for shaders. Needs a current GL context.

@@ -181,8 +181,8 @@ void FramePlanner::plan_airlight(const FrameView& view) {
                                   plan_.higher_orders, shaft_casters_, lights_fog_beyond_end(settings_));
   plan_.airlight_tiles = list_airlight_tiles(plan_.airlights, view.camera, view.picture_size, kCoarsestGrid);
   if (lights_fog_beyond_end(settings_)) {
-    plan_.far_airlights = list_far_airlight(lights_, atmosphere_, view.camera.position, exposure, plan_.higher_orders,
-                                            shaft_casters_);
+    plan_.far_airlights =
+        list_far_airlight(lights_, atmosphere_, view.camera.position, exposure, plan_.higher_orders, shaft_casters_);
   }
   plan_.counts.airlights_drawn = plan_.airlights.entries.size();
   plan_.counts.airlights_invisible = lights_.size() - plan_.airlights.entries.size();
