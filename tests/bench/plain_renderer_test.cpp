@@ -54,13 +54,14 @@ std::vector<std::size_t> differing(const Picture& a, const Picture& b) {
 
 TEST_F(PlainRendererTest, PlainDrawsThePictureOfUnified) {
   for (const std::string& name : bundled_scenes()) {
-    const Scene scene = bundled(name);
+    Scene scene = bundled(name);
+    scene.atmosphere.profile = {};  // plain has no layers
     const double visibility = suggested_visibility(scene);
     // A partly covered pixel is shaded at its centre, which may lie beyond its triangle: unified, but not plain, then
     // takes the nearest position within the surface's bounds. plain_renderer.h states the fraction. Fog only lowers the
     // contrast of edges.
-    std::vector<Fog> every_fog{Fog{}, Fog::from_visibility(FogMode::exp, visibility)};
-    if (scene.atmosphere.profile.count == 0) every_fog.push_back(Fog::from_visibility(FogMode::exp2, visibility));
+    const std::vector<Fog> every_fog{Fog{}, Fog::from_visibility(FogMode::exp, visibility),
+                                     Fog::from_visibility(FogMode::exp2, visibility)};
     for (const auto& [samples, most, fogs] :
          {std::tuple(1, std::size_t{0}, every_fog), {4, std::size_t{3 * kWidth * kHeight} / 300, {Fog{}}}}) {
       PlainRenderer plain(scene, kWidth, kHeight, samples);
