@@ -41,6 +41,7 @@ def render(
     path: str | None = None,
     flat_shading: bool = False,
     fog_light: Literal["peak", "airlight"] | None = None,
+    scattering: Literal["single", "all"] | None = None,
     shadows: Literal["none", "surfaces", "shafts"] | None = None,
     shadow_lamps: int | None = None,
     shadow_map_size: int | None = None,

@@ -206,7 +206,9 @@ TEST_F(DemoCommand, GltfOfBlendersLampsAndSunsIsAPictureAndNotWhite) {
 }
 
 TEST_F(DemoCommand, StatisticsStateWhatWasDrawn) {
-  ASSERT_EQ(run("approach --visibility 200 --fog exp2 --exposure 0 --size 64x36 --frames 3 -o a.png --stats s.json").status, kDone);
+  ASSERT_EQ(
+      run("approach --visibility 200 --fog exp2 --exposure 0 --size 64x36 --frames 3 -o a.png --stats s.json").status,
+      kDone);
   const auto stats = nlohmann::json::parse(read("s.json"));
   EXPECT_EQ(stats["scene"], "approach");
   EXPECT_EQ(stats["path"], "unified");
@@ -748,10 +750,10 @@ TEST_F(DemoCommand, InputsAreNotOverwritten) {
 }
 
 TEST_F(DemoCommand, MistypedSceneIsAnsweredWithTheNamesOfAllScenes) {
-  EXPECT_ERROR(run("rooom"), kBadInput,
-               "rooom: must be a scene file or one of approach, city, cookies, flare, headlights, lighthouse, road, "
-               "room, street, "
-               "tessellation; did you mean room?\n");
+  EXPECT_ERROR(
+      run("rooom"), kBadInput,
+      "rooom: must be a scene file or one of approach, breakout, city, cookies, flare, headlights, lighthouse, "
+      "road, room, street, tessellation, village; did you mean room?\n");
 }
 
 TEST_F(DemoCommand, SceneWhoseNameIsNoUtf8HasItsStatistics) {

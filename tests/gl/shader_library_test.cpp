@@ -19,12 +19,21 @@ TEST(ShaderLibrary, LibraryHoldsTheInstalledFiles) {
     names.insert(source.name);
     EXPECT_TRUE(source.text.starts_with("// SPDX-License-Identifier: Apache-2.0")) << source.name;
   }
-  const std::set<std::string_view> expected = {
-      "litfog/shaders/airlight.glsl",        "litfog/shaders/airlight_bound.glsl", "litfog/shaders/cone_profile.glsl",
-      "litfog/shaders/density_profile.glsl", "litfog/shaders/expm1.glsl",          "litfog/shaders/fog.glsl",
-      "litfog/shaders/formulas.glsl",        "litfog/shaders/light.glsl",          "litfog/shaders/light_airlight.glsl",
-      "litfog/shaders/light_block.glsl",     "litfog/shaders/light_buffer.glsl",   "litfog/shaders/phase.glsl",
-      "litfog/shaders/surface.glsl"};
+  const std::set<std::string_view> expected = {"litfog/shaders/airlight.glsl",
+                                               "litfog/shaders/airlight_bound.glsl",
+                                               "litfog/shaders/cone_profile.glsl",
+                                               "litfog/shaders/density_profile.glsl",
+                                               "litfog/shaders/directional_airlight.glsl",
+                                               "litfog/shaders/expm1.glsl",
+                                               "litfog/shaders/fog.glsl",
+                                               "litfog/shaders/formulas.glsl",
+                                               "litfog/shaders/light.glsl",
+                                               "litfog/shaders/light_airlight.glsl",
+                                               "litfog/shaders/light_block.glsl",
+                                               "litfog/shaders/light_buffer.glsl",
+                                               "litfog/shaders/multiple_scattering.glsl",
+                                               "litfog/shaders/phase.glsl",
+                                               "litfog/shaders/surface.glsl"};
   EXPECT_EQ(names, expected);
 }
 
