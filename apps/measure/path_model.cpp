@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "litfog/directional_airlight.h"
+#include "litfog/photometry/cookie_airlight.h"
 #include "measure/airlight_bound.h"
 #include "render/light/hidden_range.h"
 #include "render/plan/fog_top.h"
@@ -51,7 +52,8 @@ PathModel::PathModel(const render::Renderer& renderer)
   if (settings_.scattering == render::Scattering::all && !find_scattering_error(atmosphere_)) {
     scattering_ = make_scattering_table(atmosphere_);
     for (ReferenceLight& light : lights_) {
-      light.source = scattering_source(light.placed.light, atmosphere_);
+      light.source = light.cookie ? scattering_source(light.placed.light, *light.cookie, atmosphere_)
+                                  : scattering_source(light.placed.light, atmosphere_);
     }
   }
   if (!renderer.shadows()) return;

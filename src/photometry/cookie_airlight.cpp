@@ -76,4 +76,29 @@ double reference_airlight(const PlacedLight& light, const Cookie& cookie, const 
                                [](auto& text, const auto& air) { return integrate_airlight(text, air); });
 }
 
+ScatteringSource scattering_source(const Light& light, const Cookie& cookie, const Atmosphere& atmosphere) {
+  constexpr int kSize = 64;  // directions along an edge of each face of a cube
+  Light point = light;
+  point.cone = {};
+  ScatteringSource source = scattering_source(point, atmosphere);
+  double whole = 0, flux = 0, cosines = 0;
+  for (int face = 0; face < 6; ++face) {
+    for (int i = 0; i < kSize * kSize; ++i) {
+      const double u = 2 * (i % kSize + 0.5) / kSize - 1, v = 2 * (i / kSize + 0.5) / kSize - 1;
+      glm::dvec3 direction(0.0);
+      direction[face / 2] = face % 2 == 0 ? 1 : -1;
+      direction[(face / 2 + 1) % 3] = u;
+      direction[(face / 2 + 2) % 3] = v;
+      const double solid_angle = std::pow(1 + u * u + v * v, -1.5);
+      const double part = solid_angle * cookie_at(cookie, direction);
+      whole += solid_angle;
+      flux += part;
+      cosines -= part * direction.z / glm::length(direction);
+    }
+  }
+  source.flux = flux / whole;
+  source.cone_cosine = flux > 0 ? cosines / flux : 0;
+  return source;
+}
+
 }  // namespace litfog

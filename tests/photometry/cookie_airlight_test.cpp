@@ -96,5 +96,16 @@ TEST(CookieAirlight, ReferenceFollowsEachTexel) {
   }
 }
 
+// A beam of cos^n has the mean 1 / (2 n + 2) and the mean cosine (n + 1) / (n + 2).
+TEST(CookieAirlight, CookieHasTheFluxAndTheMeanCosineOfItsBeam) {
+  const Cookie cookie = make_cookie(
+      64, [](const glm::dvec3& direction) { return std::pow(std::max(-glm::normalize(direction).z, 0.0), 4); });
+  const Atmosphere air{.fog = {FogMode::exp, 0.1}};
+  const ScatteringSource source = scattering_source(Light{}, cookie, air);
+  EXPECT_NEAR(source.flux, 0.1, 2e-4);
+  EXPECT_NEAR(source.cone_cosine, 5 / 6., 2e-4);
+  EXPECT_EQ(source.intensity, scattering_source(Light{}, air).intensity);
+}
+
 }  // namespace
 }  // namespace litfog::test

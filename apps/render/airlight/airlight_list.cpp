@@ -92,17 +92,18 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
     const bool is_beam = beam.angle < 0.5 * std::numbers::pi;
     const double beam_range =
         is_beam ? std::max(4 * pixel / std::tan(beam.angle), std::min(kBeamBend * bend_range, most_bend_range)) : 0;
-    found.push_back(
-        {{.profile = int(lights.instances()[i].axis_profile.w),
-          .has_shafts = has_shafts,
-          .has_knee = placed.light.attenuation.constant<1, .has_far_peak = far_peak_reach> 0,
-          .has_higher_orders = higher_orders_reach > 0},
-         {.light = float(i),
-          .reach = float(reach),
-          .bend_range = float(is_beam ? std::min(beam_range, AirlightBound::kFarthestReach)
-                                      : std::min(bend_range, most_bend_range)),
-          .width = float(is_beam ? 0 : beam.narrowing * bound.flat_range())},
-         lights.cookie(i) ? LightBounds{.position = placed.position, .range = reach} : bounds_of(placed, reach)});
+    found.push_back({{.profile = int(lights.instances()[i].axis_profile.w),
+                      .has_shafts = has_shafts,
+                      .has_knee = placed.light.attenuation.constant<1, .has_far_peak = far_peak_reach> 0,
+                      .has_higher_orders = higher_orders_reach > 0},
+                     {.light = float(i),
+                      .reach = float(reach),
+                      .bend_range = float(is_beam ? std::min(beam_range, AirlightBound::kFarthestReach)
+                                                  : std::min(bend_range, most_bend_range)),
+                      .width = float(is_beam ? 0 : beam.narrowing * bound.flat_range())},
+                     lights.cookie(i) || higher_orders_reach > 0
+                         ? LightBounds{.position = placed.position, .range = reach}
+                         : bounds_of(placed, reach)});
   }
   std::ranges::stable_sort(found, {}, &Found::kind);
   AirlightList list;

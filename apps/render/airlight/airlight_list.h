@@ -47,7 +47,8 @@ struct AirlightList {
   };
 
   std::vector<AirlightEntry> entries;
-  std::vector<LightBounds> bounds;  ///< one an entry: its reach, cut to its cone if it has one
+  std::vector<LightBounds>
+      bounds;  ///< one an entry: its reach, cut to its cone if it has one and no peak of higher orders
   std::vector<Range> ranges;
 };
 

@@ -5,14 +5,18 @@
 
 #include <span>
 
+#include "litfog/photometry/cookie_airlight.h"
 #include "render/gpu/texture_unit.h"
 
 namespace litfog::render {
 
-HigherOrders::HigherOrders(const SceneLights& lights, const Atmosphere& atmosphere)
+HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere)
     : table(make_scattering_table(atmosphere)) {
-  for (const PlacedLight& placed : lights.lights()) {
-    const ScatteringSource source = scattering_source(placed.light, atmosphere);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const Light& light = lights.lights()[i].light;
+    const scene::CookieUse* const use = lights.cookie(i);
+    const ScatteringSource source =
+        use ? scattering_source(light, cookies[use->cookie], atmosphere) : scattering_source(light, atmosphere);
     sources.emplace_back(source.intensity, source.flux, source.cone_cosine, source.phase_cosine);
   }
 }

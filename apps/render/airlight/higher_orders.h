@@ -3,10 +3,12 @@
 
 #include <glm/vec4.hpp>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "litfog/gl/gl_name.h"
 #include "litfog/multiple_scattering.h"
+#include "litfog/photometry/cookie.h"
 #include "render/airlight/airlight_bound.h"
 #include "render/gpu/data_texture.h"
 #include "render/gpu/pass_textures.h"
@@ -22,7 +24,7 @@ struct HigherOrders {
   std::vector<glm::vec4> sources;        ///< ScatteringSource of each light, member by member
 
   HigherOrders() = default;
-  HigherOrders(const SceneLights& lights, const Atmosphere& atmosphere);
+  HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere);
 
   PointGlow of(std::size_t light) const { return table ? PointGlow{&*table, double(sources[light].x)} : PointGlow{}; }
 };

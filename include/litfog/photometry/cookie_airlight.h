@@ -4,6 +4,7 @@
 #include <glm/mat3x3.hpp>
 
 #include "litfog/airlight.h"
+#include "litfog/multiple_scattering.h"
 #include "litfog/photometry/cookie.h"
 
 namespace litfog {
@@ -26,5 +27,10 @@ double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3
 /// throws     std::invalid_argument naming field, value and rule
 double reference_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
                           const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
+
+/// A light as multiple_scattering() knows it, of which the cookie has the flux and the mean cosine.
+///
+/// throws  std::invalid_argument naming field, value and rule
+ScatteringSource scattering_source(const Light& light, const Cookie& cookie, const Atmosphere& atmosphere);
 
 }  // namespace litfog
