@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "litfog/airlight.h"
+#include "measure/inverse_square_lamp.h"
 #include "measure/quantile.h"
 #include "measure/radial_scattering.h"
 #include "measure/scattering_walk.h"
@@ -22,19 +23,6 @@ namespace litfog::test {
 namespace {
 
 using std::numbers::pi;
-
-constexpr double kQuadratic = 1e12;  // the lamp's intensity is 1 / kQuadratic, its knee 1e-6 free paths
-
-PlacedLight lamp_at(double depth) {
-  Light light;
-  light.attenuation = {.constant = 0, .linear = 0, .quadratic = kQuadratic};
-  light.threshold = 1e-17;
-  return {.light = light, .position = {0, 0, -depth}};
-}
-
-EyeRay ray_beside(double angle, double length) {
-  return {.direction = {std::sin(angle), 0, -std::cos(angle)}, .length = length};
-}
 
 /// What comes from endless fog without what comes from beyond the ray's end.
 double true_scattering(const measure::RadialScattering::Glow& glow, double depth, double angle, double length) {
@@ -74,7 +62,7 @@ TEST(MultipleScattering, WholeGlowOfAPointLampIsTheTrueOne) {
       const double length = !ends                                ? kInfinity
                             : approach > 0 && random.chance(0.5) ? std::max(0.02, approach * random.uniform(0.05, 2))
                                                                  : random.log_uniform(0.02, 20);
-      const PlacedLight lamp = lamp_at(depth);
+      const PlacedLight lamp = lamp_ahead(depth);
       const EyeRay ray = ray_beside(angle, length);
       const double truth = true_scattering(glow, depth, angle, length);
       const double single = kQuadratic * reference_airlight(lamp, air, ray);
@@ -107,7 +95,7 @@ TEST(MultipleScattering, PointLampIsThatOfTheRandomWalk) {
     const ScatteringTable table = make_scattering_table(air);
     for (const auto& [depth, degrees, length] :
          {std::array{0.3, 2.0, kInfinity}, {1.0, 20.0, 0.5}, {1.0, 60.0, kInfinity}, {3.0, 5.0, 2.0}}) {
-      const PlacedLight lamp = lamp_at(depth);
+      const PlacedLight lamp = lamp_ahead(depth);
       const EyeRay ray = ray_beside(degrees * pi / 180, length);
       measure::ScatteringWalk walk;
       walk.paths = 4096;

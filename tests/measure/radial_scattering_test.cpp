@@ -9,6 +9,7 @@
 #include <string>
 
 #include "litfog/airlight.h"
+#include "measure/inverse_square_lamp.h"
 #include "measure/scattering_walk.h"
 
 namespace litfog::test {
@@ -30,16 +31,6 @@ const RadialScattering& nodes() {
   static const RadialScattering result(0.6);
   return result;
 }
-
-constexpr double kQuadratic = 1e12;
-
-PlacedLight lamp_ahead(double range) {
-  Light light;
-  light.attenuation = {.constant = 0, .linear = 0, .quadratic = kQuadratic};
-  light.threshold = 1e-17;
-  return {.light = light, .position = {0, 0, -range}};
-}
-EyeRay ray_beside(double angle) { return {.direction = {std::sin(angle), 0, -std::cos(angle)}}; }
 
 /// The integral over all directions of all scattered light times a power of the cosine.
 double gathered(const RadialScattering::Glow& glow, const Phase& phase, double depth, int power) {

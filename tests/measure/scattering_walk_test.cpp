@@ -13,6 +13,7 @@
 #include <string>
 
 #include "litfog/density_profile.h"
+#include "measure/inverse_square_lamp.h"
 
 namespace litfog::test {
 namespace {
@@ -27,18 +28,6 @@ void expect_near(const Estimate& estimate, double truth, double most_error, cons
       << name << ": " << estimate.value << " +- " << estimate.error << " for " << truth;
   EXPECT_TRUE(estimate.error <= most_error * std::abs(truth)) << name << ": error " << estimate.error / truth;
 }
-
-constexpr double kQuadratic = 1e12;  // inverse-square beyond a micrometre
-
-/// A point lamp, a / (Q r^2), that lies some metres ahead of the eye.
-PlacedLight lamp_ahead(double range) {
-  Light light;
-  light.attenuation = {.constant = 0, .linear = 0, .quadratic = kQuadratic};
-  light.threshold = 1e-17;
-  return {.light = light, .position = {0, 0, -range}};
-}
-
-EyeRay ray_beside(double angle) { return {.direction = {std::sin(angle), 0, -std::cos(angle)}}; }
 
 Atmosphere fog_of(const Phase& phase, double albedo = 1) {
   return {.fog = {FogMode::exp, 1}, .phase = phase, .albedo = albedo};

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cmath>
+#include <limits>
+
+#include "litfog/airlight.h"
+
+namespace litfog::test {
+
+inline constexpr double kQuadratic = 1e12;  // inverse-square beyond a micrometre
+
+/// A point lamp, 1 / (Q r^2), that lies some metres ahead of the eye.
+inline PlacedLight lamp_ahead(double range) {
+  Light light;
+  light.attenuation = {.constant = 0, .linear = 0, .quadratic = kQuadratic};
+  light.threshold = 1e-17;
+  return {.light = light, .position = {0, 0, -range}};
+}
+
+/// A ray at an angle to the direction to that lamp, radians.
+inline EyeRay ray_beside(double angle, double length = std::numeric_limits<double>::infinity()) {
+  return {.direction = {std::sin(angle), 0, -std::cos(angle)}, .length = length};
+}
+
+}  // namespace litfog::test
