@@ -47,7 +47,7 @@ class AirlightBound {
   ///
   /// scattering  of the atmosphere's phase function; has to outlive this
   ///
-  /// glow  has to outlive this
+  /// glow  its table has to outlive this
   AirlightBound(const PlacedLight& light, double extent, const Atmosphere& atmosphere,
                 const ScatteringBound& scattering, const glm::dvec3& eye, const PointGlow& glow = {});
 

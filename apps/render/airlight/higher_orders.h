@@ -18,7 +18,7 @@ namespace litfog::render {
 
 /// What of a scene's lights is scattered twice and more often (litfog/multiple_scattering.h). It is summed with what
 /// lights add beyond their extents (far_airlight.h), but for its peak around a lamp, which is drawn light by light
-/// (shaders/airlight/far_peak.glsl). Shadows do not darken it.
+/// (shaders/airlight/higher_orders.glsl). Shadows do not darken it.
 struct HigherOrders {
   std::optional<ScatteringTable> table;  ///< empty: fog scatters once
   std::vector<glm::vec4> sources;        ///< ScatteringSource of each light, member by member

@@ -3,8 +3,9 @@
 // too coarse for it. Along rays that pass a far light within far_peak_angle, the fog between the eye and the extent
 // scatters more by the difference of the phase function to its value at that angle.
 
-const float far_peak_versine = 0.01122890;  // of FarAirlightList::kPeakAngle
-const float far_peak_cotangent = 6.616592;
+const float far_peak_angle = 0.15;  // FarAirlightList::kPeakAngle
+const float far_peak_versine = 2.0 * sin(0.5 * far_peak_angle) * sin(0.5 * far_peak_angle);
+const float far_peak_cotangent = 1.0 / tan(far_peak_angle);
 
 // To be multiplied with the light's colour and litfog_airlight_unit().
 float far_peak(LitfogAirlight air) {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What lights add by being scattered twice and more often, where has_higher_orders: render::HigherOrders. The sum over
 // all lights is too coarse for the peak around a lamp, so that in it smaller angles count as far_peak_angle, and the
-// rest is drawn light by light.
+// rest is drawn light by light. Needs far_peak.glsl before it.
 
 #include "litfog/shaders/multiple_scattering.glsl"
 
 uniform samplerBuffer scattering_sources;
-
-const float far_peak_angle = 0.15;  // FarAirlightList::kPeakAngle
 
 // The light's effective intensity, reduced to what its cone sends along a ray.
 float scattered_intensity(int light, LitfogAirlight air) {
