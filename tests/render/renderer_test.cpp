@@ -204,8 +204,9 @@ TEST_F(RendererTest, LightPointIsSeenThroughTheFogAtTheDensityOfItsClass) {
   EXPECT_NEAR(std::log(brightness(0.4) / brightness(1.0)), 0.6 * depth, 0.15 * depth);
 }
 
-// A lamp's disc is white where the eye is dazzled. Fog that is white all around it would hide the scene. Before one's
-// own beams, isotropic fog is so bright that the rest is darker than in other scenes.
+// A lamp's disc is white where the eye is dazzled. Fog that is white all around it would hide the scene. Three scenes
+// are darker than the others: before one's own beams isotropic fog is so bright that the rest is dark, and most of
+// what breakout shows is the night between a cloud and the ground.
 TEST_F(RendererTest, BundledScenesAreReadableAtTheirVisibilitiesByAirlight) {
   for (const std::string& name : bundled_scenes()) {
     const Scene scene = read_scene(bundled_scene_path(name));
@@ -230,7 +231,8 @@ TEST_F(RendererTest, BundledScenesAreReadableAtTheirVisibilitiesByAirlight) {
       std::printf("%-12s %7g m: EV %.2f, median %d, %td of %td pixels white\n", name.c_str(), visibility, exposure.ev,
                   median, white, pixels);
       EXPECT_LE(white, pixels / 100) << name << ", " << visibility << " m";
-      EXPECT_GE(median, name == "headlights" || name == "road" ? 8 : 20) << name << ", " << visibility << " m";
+      EXPECT_GE(median, name == "breakout" || name == "headlights" || name == "road" ? 8 : 20)
+          << name << ", " << visibility << " m";
       EXPECT_LE(median, 160) << name << ", " << visibility << " m";
     }
   }
