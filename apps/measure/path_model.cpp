@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "litfog/directional_airlight.h"
 #include "litfog/photometry/cookie_airlight.h"
@@ -51,9 +52,16 @@ PathModel::PathModel(const render::Renderer& renderer)
   }
   if (settings_.scattering == render::Scattering::all && !find_scattering_error(atmosphere_)) {
     scattering_ = make_scattering_table(atmosphere_);
+    const ThinBeams beams = make_thin_beams(atmosphere_, *scattering_);
+    std::map<const Cookie*, BeamMoments> of_cookies;
+    const auto cookie_moments = [&](const Cookie* cookie) {
+      const auto [found, is_new] = of_cookies.try_emplace(cookie);
+      if (is_new) found->second = beam_moments(*cookie);
+      return found->second;
+    };
     for (ReferenceLight& light : lights_) {
-      light.source = light.cookie ? scattering_source(light.placed.light, *light.cookie, atmosphere_)
-                                  : scattering_source(light.placed.light, atmosphere_);
+      const BeamMoments shape = light.cookie ? cookie_moments(light.cookie) : beam_moments(light.placed.light.cone);
+      light.source = scattering_source(light.placed.light, shape, atmosphere_, beams);
     }
   }
   if (!renderer.shadows()) return;

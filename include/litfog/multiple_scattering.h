@@ -9,6 +9,7 @@
 #include "litfog/atmosphere.h"
 #include "litfog/attenuation.h"
 #include "litfog/light.h"
+#include "litfog/scattered_beam.h"
 #include "litfog/value_error.h"
 
 namespace litfog {
@@ -56,15 +57,24 @@ double effective_intensity(const Attenuation& attenuation, double density);
 
 /// A light as M knows it, for all rays.
 struct ScatteringSource {
-  double intensity = 0;     ///< effective_intensity(), m^2; 0 in clear air
-  double flux = 1;          ///< mean of the cone over all directions
-  double cone_cosine = 0;   ///< mean cosine of the light's directions to its axis
-  double phase_cosine = 0;  ///< mean cosine of the phase function
+  double intensity = 0;               ///< source_intensity(), m^2
+  double phase_cosine = 0;            ///< mean cosine of the phase function
+  std::optional<ScatteredBeam> beam;  ///< of its cone; empty: a point lamp
 };
 
+/// Effective intensity of a light in its fog, m^2; 0 in clear air and in total fog.
+///
 /// light   its class sees the fog at its density scale
 /// throws  std::invalid_argument naming field, value and rule
-ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosphere);
+double source_intensity(const Light& light, const Atmosphere& atmosphere);
+
+/// beams   of the atmosphere; not looked at for a point lamp
+/// throws  std::invalid_argument naming field, value and rule
+ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosphere, const ThinBeams& beams);
+
+/// The same of a light with another angular shape than its cone's.
+ScatteringSource scattering_source(const Light& light, const BeamMoments& shape, const Atmosphere& atmosphere,
+                                   const ThinBeams& beams);
 
 /// Largest errors of A + M, that is airlight() and multiple_scattering(), as fractions of the true A + M: of a point
 /// lamp with 1 / r^2 in uniform fog, at optical depths of 0.02 to 10 between lamp and eye and angles of 0.2 to 180
@@ -81,6 +91,13 @@ inline constexpr double kScatteringMedianError = 0.003;
 inline constexpr double kScatteringTypicalError = 0.02;
 inline constexpr double kScatteringMaxError = 0.2;
 
+/// The same of cones with half angles of 3 degrees or more, aimed anywhere, at depths of up to 3 in isotropic fog and
+/// in droplets. In droplets a beam that points away from the eye may glow several times too brightly.
+inline constexpr double kConeScatteringMedianError = 0.02;
+inline constexpr double kConeScatteringTypicalError = 0.1;
+inline constexpr double kDropletConeScatteringMedianError = 0.3;
+inline constexpr double kDropletConeScatteringTypicalError = 1.2;
+
 /// M of a light along a ray, in the unit of airlight().
 ///
 /// source     the light's
@@ -89,15 +106,18 @@ inline constexpr double kScatteringMaxError = 0.2;
 /// throws     std::invalid_argument naming field, value and rule
 double multiple_scattering(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
                            const ScatteringTable& table, const EyeRay& ray);
-inline double multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,
-                                  const EyeRay& ray) {
-  return multiple_scattering(light, scattering_source(light.light, atmosphere), atmosphere, table, ray);
-}
 
 /// M along many rays. Columns of different lengths are a bug of the caller and assert.
 ///
 /// throws     std::invalid_argument naming field, value and rule, before any result is written
 void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,
                          std::span<const EyeRay> rays, std::span<double> scattered);
+
+inline double multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,
+                                  const EyeRay& ray) {
+  double scattered = 0;
+  multiple_scattering(light, atmosphere, table, {&ray, 1}, {&scattered, 1});
+  return scattered;
+}
 
 }  // namespace litfog

@@ -8,7 +8,7 @@
 #include <span>
 
 #include "airlight_text.h"
-#include "litfog/cone.h"
+#include "legendre.h"
 #include "model/level_range.h"
 #include "model/require.h"
 #include "model/unchecked.h"
@@ -85,7 +85,9 @@ double coordinate(const PhasePlace& of, double parameter) {
 }
 
 struct ScatteringText : Text<double, NoCookie> {
+  using LitfogScatteredBeam = ScatteredBeam::Texel;
   const ScatteringTable& table;
+  const ScatteredBeam* only_beam = nullptr;
 
   double litfog_scattering_log(double row, double column) const {
     const double y = std::clamp(row, 0.0, kScatteringDepths - 1.0),
@@ -98,6 +100,22 @@ struct ScatteringText : Text<double, NoCookie> {
     return std::lerp(along(i), along(i + 1), y - double(i));
   }
 
+  LitfogScatteredBeam litfog_scattered_beam(double, double row, double column) const {
+    const double y = std::clamp(row, 0.0, kBeamDepths - 1.0), x = std::clamp(column, 0.0, kBeamAngles - 1.0);
+    const auto i = std::min(std::size_t(y), std::size_t(kBeamDepths - 2));
+    const auto j = std::min(std::size_t(x), std::size_t(kBeamAngles - 2));
+    const auto at = [&](float LitfogScatteredBeam::*member) {
+      const auto along = [&](std::size_t depth) {
+        const auto& texels = only_beam->texels[depth];
+        return std::lerp(double(texels[j].*member), double(texels[j + 1].*member), x - double(j));
+      };
+      return float(std::lerp(along(i), along(i + 1), y - double(i)));
+    };
+    return {at(&LitfogScatteredBeam::share), at(&LitfogScatteredBeam::radial), at(&LitfogScatteredBeam::turned),
+            at(&LitfogScatteredBeam::forward)};
+  }
+
+  static double acos(double x) { return std::acos(x); }
   static double atan(double y, double x) { return std::atan2(y, x); }
   static double sin(double x) { return std::sin(x); }
   static double cos(double x) { return std::cos(x); }
@@ -106,21 +124,6 @@ struct ScatteringText : Text<double, NoCookie> {
 #define LITFOG_CONSTANT static constexpr
 #include "litfog/shaders/multiple_scattering.glsl"  // undefines both
 };
-
-/// Calls a function with the eight nodes of Gauss and Legendre between two numbers, and with their weights.
-template <typename Add>
-void add_gauss(double from, double to, const Add& add) {
-  using Nodes = Text<double, NoCookie>;
-  for (std::size_t node = 28; node < 36; ++node) {
-    add(std::lerp(from, to, Nodes::litfog_gauss_nodes[node]), (to - from) * Nodes::litfog_gauss_weights[node]);
-  }
-}
-
-/// Mean cosine of a lobe (Draine 2003, equation 5).
-double mean_cosine(const PhaseLobe& lobe) {
-  const auto [g, alpha] = lobe;
-  return g * (1 + alpha * (3 + 2 * g * g) / 5) / (1 + alpha * (1 + 2 * g * g) / 3);
-}
 
 /// Number i of the fine ones: Edwin Catmull and Raphael Rom's cubic between tabulated numbers, of which the outermost
 /// go on as a parabola.
@@ -210,28 +213,25 @@ double effective_intensity(const Attenuation& attenuation, double density) {
   return sum;
 }
 
-ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosphere) {
+double source_intensity(const Light& light, const Atmosphere& atmosphere) {
   require(find_error(light));
   require(find_error(atmosphere));
-  ScatteringSource source;
   const Fog fog = unchecked::scaled(atmosphere.fog, light.density_scale);
-  if (!(fog.density > 0) || std::isinf(fog.density)) return source;
-  source.intensity = effective_intensity(light.attenuation, fog.density);
-  const auto& [first, second, weight] = atmosphere.phase;
-  source.phase_cosine = weight * mean_cosine(first) + (1 - weight) * mean_cosine(second);
-  if (light.cone.is_point_light()) return source;
-  double flux = 0, cosines = 0;
-  double from = 0;
-  for (double to = 1e-3; from < std::numbers::pi; from = to, to = std::min(1.5 * to, std::numbers::pi)) {
-    add_gauss(from, to, [&](double angle, double size) {
-      const double part = size * std::sin(angle) / 2 * cone_at(light.cone, std::cos(angle));
-      flux += part;
-      cosines += part * std::cos(angle);
-    });
-  }
-  source.flux = std::min(flux, 1.0);
-  source.cone_cosine = flux > 0 ? cosines / flux : 0;
+  if (!(fog.density > 0) || std::isinf(fog.density)) return 0;
+  return effective_intensity(light.attenuation, fog.density);
+}
+
+ScatteringSource scattering_source(const Light& light, const BeamMoments& shape, const Atmosphere& atmosphere,
+                                   const ThinBeams& beams) {
+  ScatteringSource source;
+  source.intensity = source_intensity(light, atmosphere);
+  source.phase_cosine = beams.phase_cosine;
+  if (shape[0] < 1) source.beam = make_scattered_beam(shape, beams);
   return source;
+}
+
+ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosphere, const ThinBeams& beams) {
+  return scattering_source(light, beam_moments(light.cone), atmosphere, beams);
 }
 
 double multiple_scattering(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
@@ -243,10 +243,10 @@ double multiple_scattering(const PlacedLight& light, const ScatteringSource& sou
   if (!(source.intensity > 0)) return 0;
   const Fog fog = unchecked::scaled(atmosphere.fog, light.light.density_scale);
   const NoCookie no_cookie;
-  ScatteringText text{{no_cookie, atmosphere.profile}, table};
+  ScatteringText text{{no_cookie, atmosphere.profile}, table, source.beam ? &*source.beam : nullptr};
   const auto air = text.seen_along(light, 0, fog, ray, LampLeg::fogged, phase_text::pack<double>(atmosphere.phase));
-  return source.intensity * text.litfog_multiple_scattering(air) *
-         text.litfog_scattered_share(air, source.flux, source.cone_cosine, source.phase_cosine);
+  return source.intensity * (source.beam ? text.litfog_multiple_scattering(air, 0, source.phase_cosine)
+                                         : text.litfog_multiple_scattering(air));
 }
 
 void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,
@@ -256,7 +256,9 @@ void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere,
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
   for (const EyeRay& ray : rays) require(find_error(ray));
-  const ScatteringSource source = scattering_source(light.light, atmosphere);
+  const ScatteringSource source = light.light.cone.is_point_light()
+                                      ? scattering_source(light.light, atmosphere, {})
+                                      : scattering_source(light.light, atmosphere, make_thin_beams(atmosphere, table));
   for (std::size_t i = 0; i < rays.size(); ++i) {
     scattered[i] = multiple_scattering(light, source, atmosphere, table, rays[i]);
   }

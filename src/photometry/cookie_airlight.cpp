@@ -7,6 +7,7 @@
 
 #include "airlight/airlight_quadrature.h"
 #include "airlight/airlight_text.h"
+#include "airlight/legendre.h"
 #include "model/require.h"
 #include "model/unchecked.h"
 
@@ -76,12 +77,10 @@ double reference_airlight(const PlacedLight& light, const Cookie& cookie, const 
                                [](auto& text, const auto& air) { return integrate_airlight(text, air); });
 }
 
-ScatteringSource scattering_source(const Light& light, const Cookie& cookie, const Atmosphere& atmosphere) {
+BeamMoments beam_moments(const Cookie& cookie) {
   constexpr int kSize = 64;  // directions along an edge of each face of a cube
-  Light point = light;
-  point.cone = {};
-  ScatteringSource source = scattering_source(point, atmosphere);
-  double whole = 0, flux = 0, cosines = 0;
+  BeamMoments moments{};
+  double whole = 0;
   for (int face = 0; face < 6; ++face) {
     for (int i = 0; i < kSize * kSize; ++i) {
       const double u = 2 * (i % kSize + 0.5) / kSize - 1, v = 2 * (i / kSize + 0.5) / kSize - 1;
@@ -91,14 +90,14 @@ ScatteringSource scattering_source(const Light& light, const Cookie& cookie, con
       direction[(face / 2 + 2) % 3] = v;
       const double solid_angle = std::pow(1 + u * u + v * v, -1.5);
       const double part = solid_angle * cookie_at(cookie, direction);
+      const double cosine = -direction.z / glm::length(direction);
       whole += solid_angle;
-      flux += part;
-      cosines -= part * direction.z / glm::length(direction);
+      for_each_polynomial<kBeamOrders>(
+          cosine, [&](std::size_t order, double polynomial, double) { moments[order] += part * polynomial; });
     }
   }
-  source.flux = flux / whole;
-  source.cone_cosine = flux > 0 ? cosines / flux : 0;
-  return source;
+  for (double& moment : moments) moment /= whole;
+  return moments;
 }
 
 }  // namespace litfog

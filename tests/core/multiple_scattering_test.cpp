@@ -277,5 +277,62 @@ TEST(MultipleScattering, NothingJumps) {
   });
 }
 
+TEST(ScatteredBeam, PointLampHasItsOwnLight) {
+  const Atmosphere air = uniform_fog(1, Phase::droplets(10));
+  const ScatteredBeam beam =
+      make_scattered_beam(beam_moments(Cone{}), make_thin_beams(air, make_scattering_table(air)));
+  for (const auto& row : beam.texels) {
+    for (const ScatteredBeam::Texel& texel : row) {
+      EXPECT_NEAR(texel.share, 1, 1e-6);
+      EXPECT_NEAR(texel.radial, 1, 1e-6);
+      EXPECT_NEAR(texel.turned, 0, 1e-6);
+      EXPECT_GT(texel.forward, 0);
+    }
+  }
+}
+
+// A flat beam of half angle H has the mean (1 - cos H) / 2 and the mean cosine (1 + cos H) / 2.
+TEST(ScatteredBeam, MomentsAreTheFluxAndTheMeanCosine) {
+  for (const double half : {0.01, 0.3, 1.5}) {
+    const BeamMoments moments = beam_moments(Cone::cosine(half, 0));
+    EXPECT_NEAR(moments[0] / ((1 - std::cos(half)) / 2), 1, 1e-9) << half;
+    EXPECT_NEAR(moments[1] / moments[0], (1 + std::cos(half)) / 2, 1e-9) << half;
+  }
+}
+
+// What a cone sends into the fog is not more, and not less, than its flux: light of all directions, summed over a
+// sphere.
+TEST(ScatteredBeam, LightOfASphereIsTheFlux) {
+  const Atmosphere air = uniform_fog(1);
+  const ThinBeams beams = make_thin_beams(air, make_scattering_table(air));
+  for (const double half : {0.3, 1.0, 1.5}) {
+    const BeamMoments moments = beam_moments(Cone::cosine(half, 0));
+    for (const auto& row : make_scattered_beam(moments, beams).texels) {
+      double sum = 0, whole = 0;
+      for (int column = 0; column < kBeamAngles; ++column) {
+        const double weight = std::sin(pi * column / (kBeamAngles - 1));
+        sum += weight * double(row[std::size_t(column)].share);
+        whole += weight;
+      }
+      EXPECT_NEAR(sum / whole / moments[0], 1, 0.02) << half;
+    }
+  }
+}
+
+TEST(ScatteredBeam, NothingJumpsAsALampTurns) {
+  for (const Phase& phase : {Phase{}, Phase::droplets(12)}) {
+    const Atmosphere air = uniform_fog(0.05, phase);
+    const ScatteringTable table = make_scattering_table(air);
+    PlacedLight lamp = inverse_square_lamp({0, 0, -30});
+    lamp.light.cone = Cone::smoothstep(0.1, 0.3);
+    const ScatteringSource source = scattering_source(lamp.light, air, make_thin_beams(air, table));
+    const auto turned = [&](double x) {
+      lamp.direction = {0.8 * std::sin(2 * pi * x), 0.6, 0.8 * std::cos(2 * pi * x)};
+      return multiple_scattering(lamp, source, air, table, ray_at(0.05, 60));
+    };
+    EXPECT_LE(largest_step(turned, 4000), largest_step(turned, 500) / 4 + 1e-7);
+  }
+}
+
 }  // namespace
 }  // namespace litfog::test

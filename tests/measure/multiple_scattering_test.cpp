@@ -108,5 +108,43 @@ TEST(MultipleScattering, PointLampIsThatOfTheRandomWalk) {
   }
 }
 
+TEST(MultipleScattering, WholeGlowOfAConeIsThatOfTheRandomWalk) {
+  struct ConeCase {
+    const char* name;
+    Phase phase;
+    double median, typical;
+  };
+  for (const ConeCase& c : {ConeCase{"isotropic", {}, kConeScatteringMedianError, kConeScatteringTypicalError},
+                            {"droplets of 10", Phase::droplets(10), kDropletConeScatteringMedianError,
+                             kDropletConeScatteringTypicalError}}) {
+    const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = c.phase};
+    const ScatteringTable table = make_scattering_table(air);
+    const ThinBeams beams = make_thin_beams(air, table);
+    Random random(4204);
+    std::vector<double> errors;
+    while (errors.size() < 40) {
+      const double depth = random.log_uniform(0.05, 3);
+      const double aim = random.uniform(0, pi), around = random.uniform(0, 2 * pi);
+      PlacedLight lamp = lamp_ahead(depth);
+      lamp.light.cone = Cone::cosine(random.log_uniform(3, 90) * pi / 180, 0);
+      lamp.direction = {std::sin(aim) * std::cos(around), std::sin(aim) * std::sin(around), std::cos(aim)};
+      const EyeRay ray = ray_beside(random.log_uniform(1, 150) * pi / 180);
+      measure::ScatteringWalk walk;
+      walk.paths = 4096;
+      const auto chance = measure::walk_scattering(lamp, air, ray, walk);
+      const double whole = reference_airlight(lamp, air, ray) + chance.higher.value;
+      const double doubt = chance.higher.error / whole;
+      if (doubt > 0.1) continue;  // the walk does not know
+      const ScatteringSource source = scattering_source(lamp.light, air, beams);
+      const double found = multiple_scattering(lamp, source, air, table, ray);
+      errors.push_back(std::max(std::abs(found - chance.higher.value) / whole - doubt, 0.0));
+    }
+    std::printf("%-16s median %.3f, of 9 in 10 %.3f, largest %.3f\n", c.name, measure::quantile(errors, 0.5),
+                measure::quantile(errors, 0.9), measure::quantile(errors, 1));
+    EXPECT_LE(measure::quantile(errors, 0.5), c.median) << c.name;
+    EXPECT_LE(measure::quantile(errors, 0.9), c.typical) << c.name;
+  }
+}
+
 }  // namespace
 }  // namespace litfog::test

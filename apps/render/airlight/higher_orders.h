@@ -9,6 +9,7 @@
 #include "litfog/gl/gl_name.h"
 #include "litfog/multiple_scattering.h"
 #include "litfog/photometry/cookie.h"
+#include "litfog/scattered_beam.h"
 #include "render/airlight/airlight_bound.h"
 #include "render/gpu/data_texture.h"
 #include "render/gpu/pass_textures.h"
@@ -21,7 +22,9 @@ namespace litfog::render {
 /// (shaders/airlight/higher_orders.glsl). Shadows do not darken it.
 struct HigherOrders {
   std::optional<ScatteringTable> table;  ///< empty: fog scatters once
-  std::vector<glm::vec4> sources;        ///< ScatteringSource of each light, member by member
+  /// Of each light the intensity of its ScatteringSource, its beam's index or -1 and the phase function's mean cosine.
+  std::vector<glm::vec4> sources;
+  std::vector<ScatteredBeam> beams;  ///< of the different cones and cookies
 
   HigherOrders() = default;
   HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere);
@@ -38,7 +41,7 @@ class HigherOrderTextures {
   void bind(PassTextures& textures) const;
 
  private:
-  gl::TextureName table_;
+  gl::TextureName table_, beams_;
   std::optional<BufferTexture> sources_;
 };
 

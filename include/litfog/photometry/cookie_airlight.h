@@ -4,8 +4,8 @@
 #include <glm/mat3x3.hpp>
 
 #include "litfog/airlight.h"
-#include "litfog/multiple_scattering.h"
 #include "litfog/photometry/cookie.h"
+#include "litfog/scattered_beam.h"
 
 namespace litfog {
 
@@ -28,9 +28,7 @@ double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3
 double reference_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
                           const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
 
-/// A light as multiple_scattering() knows it, of which the cookie has the flux and the mean cosine.
-///
-/// throws  std::invalid_argument naming field, value and rule
-ScatteringSource scattering_source(const Light& light, const Cookie& cookie, const Atmosphere& atmosphere);
+/// Of a cookie about the light's axis (scattered_beam.h).
+BeamMoments beam_moments(const Cookie& cookie);
 
 }  // namespace litfog

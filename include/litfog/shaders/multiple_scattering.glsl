@@ -3,7 +3,8 @@
 // airlight.glsl has what is scattered once. Shared with C++ as airlight.glsl is; GLSL includes it after
 // light_airlight.glsl.
 //
-// In Vulkan the table is at LITFOG_SET (default 0) and LITFOG_SCATTERING_BINDING (default 3).
+// In Vulkan the table is at LITFOG_SET (default 0) and LITFOG_SCATTERING_BINDING (default 3), and the beams of cones are at
+// LITFOG_BEAMS_BINDING (default 4).
 
 #ifndef LITFOG_MULTIPLE_SCATTERING_GLSL
 #define LITFOG_MULTIPLE_SCATTERING_GLSL
@@ -28,6 +29,32 @@ float litfog_scattering_log(float depth, float angle) {
   return textureLod(litfog_scattering_table, (vec2(angle, depth) + 0.5) / vec2(69.0, 45.0), 0.0).r;
 }
 
+struct LitfogScatteredBeam {
+  float share;
+  float radial;
+  float turned;
+  float forward;
+};
+
+// The ScatteredBeams, a texture of four components with linear filters: an angle a column and a depth a row, one beam
+// after the other down the columns of beams from the first row on.
+#ifdef VULKAN
+#ifndef LITFOG_BEAMS_BINDING
+#define LITFOG_BEAMS_BINDING 4
+#endif
+layout(set = LITFOG_SET, binding = LITFOG_BEAMS_BINDING)
+#endif
+uniform highp sampler2D litfog_scattered_beams;
+
+LitfogScatteredBeam litfog_scattered_beam(float beam, float depth, float angle) {
+  vec2 size = vec2(textureSize(litfog_scattered_beams, 0));
+  float beams_a_column = floor(size.y / 16.0);
+  float column = floor((beam + 0.5) / beams_a_column);
+  vec2 first = vec2(24.0 * column, 16.0 * (beam - beams_a_column * column));
+  vec4 texel = textureLod(litfog_scattered_beams, (first + vec2(angle, depth) + 0.5) / size, 0.0);
+  return LitfogScatteredBeam(texel.x, texel.y, texel.z, texel.w);
+}
+
 #define LITFOG_REAL float
 #define LITFOG_CONSTANT const
 #endif
@@ -41,6 +68,12 @@ LITFOG_CONSTANT LITFOG_REAL litfog_scattering_depth_step = LITFOG_REAL(0.2092865
 LITFOG_CONSTANT LITFOG_REAL litfog_least_scattering_angle = LITFOG_REAL(0.00349065850399);  // 0.2 degrees
 LITFOG_CONSTANT LITFOG_REAL litfog_first_scattering_angle = LITFOG_REAL(-5.655919548222917);
 LITFOG_CONSTANT LITFOG_REAL litfog_scattering_angle_step = LITFOG_REAL(0.1231094964833414);
+
+// Depths of a scattered beam go by equal steps of their logarithm, the angles of its columns by equal steps.
+LITFOG_CONSTANT LITFOG_REAL litfog_first_beam_depth = LITFOG_REAL(0.02);
+LITFOG_CONSTANT LITFOG_REAL litfog_last_beam_depth = LITFOG_REAL(12.0);
+LITFOG_CONSTANT LITFOG_REAL litfog_beam_depth_step = LITFOG_REAL(0.4264619770);  // ln(last / first) / 15
+LITFOG_CONSTANT LITFOG_REAL litfog_beam_angle_step = LITFOG_REAL(0.1365909849);  // pi / 23
 
 // M d^-2 of a lamp of 1 / r^2 in endless fog of density d, at an optical depth from the lamp and an angle between the ray
 // and the direction to the lamp. Depths and angles below the table's count as its first. Beyond its last depth the light
@@ -66,56 +99,71 @@ LITFOG_REAL litfog_scattered_beyond(LitfogAirlight air, LITFOG_REAL range, LITFO
   return exp(-air.density * range) * litfog_scattered_from(air, range - air.approach, least_angle);
 }
 
-// M of a cone over that of a point lamp of its intensity, about. Which directions from the lamp matter is spread along the
-// ray as what is scattered once there is, over the angle at the lamp, and blurred by the scatterings before. A cone of so
-// many directions is about a lobe of Henyey and Greenstein with its flux and its mean cosine.
-//
-// flux          the cone's mean over all directions
-// cone_cosine   its mean cosine
-// phase_cosine  that of the phase function
-LITFOG_REAL litfog_scattered_share(LitfogAirlight air, LITFOG_REAL flux, LITFOG_REAL cone_cosine,
-                                   LITFOG_REAL phase_cosine) {
-  if (flux >= LITFOG_REAL(1.0)) return LITFOG_REAL(1.0);
-  LITFOG_REAL range = max(litfog_airlight_range(air, -air.approach), LITFOG_REAL(1.0e-6));
-  LITFOG_REAL depth = air.density * range;
-  LITFOG_REAL turned = LITFOG_REAL(1.0) - phase_cosine;
-  // Fitted to random walks in isotropic fog and in droplets of 10 micrometres.
-  LITFOG_REAL octaves = log(max(depth, LITFOG_REAL(0.3))) / LITFOG_REAL(1.0986);
-  LITFOG_REAL even = (LITFOG_REAL(0.4) + LITFOG_REAL(0.2) * clamp(octaves, LITFOG_REAL(0.0), LITFOG_REAL(2.0))) *
-                     turned * turned;
-  LITFOG_REAL kept = LITFOG_REAL(0.4) + LITFOG_REAL(0.55) * phase_cosine;
-  LITFOG_REAL dimming = clamp(octaves + LITFOG_REAL(1.0), LITFOG_REAL(0.0), LITFOG_REAL(2.0)) * turned;
-  LITFOG_REAL lobe = min(kept * cone_cosine, LITFOG_REAL(0.99));
-
-  LITFOG_REAL at_eye = (air.axis_offset - air.approach * air.axis_slope) / range;  // cosines to the axis
-  // Towards the lamp, directions across the line of sight are blurred altogether, so that the share is smooth there.
-  LITFOG_REAL sine = air.offset / range;
-  LITFOG_REAL across = (air.axis_slope + air.approach / range * at_eye) / (sine + LITFOG_REAL(0.15));
-  LITFOG_REAL at_lamp = LITFOG_REAL(3.14159265) - atan(air.offset, air.approach);  // angle of the whole ray
-  LITFOG_REAL sum = LITFOG_REAL(0.0);
-  LITFOG_REAL weights = LITFOG_REAL(0.0);
-  const int nodes = 4;
-  const int first = nodes * (nodes - 1) / 2;
-  for (int i = first; i < first + nodes; ++i) {
-    LITFOG_REAL angle = at_lamp * litfog_gauss_nodes[i];
-    LITFOG_REAL cosine = clamp(cos(angle) * at_eye + sin(angle) * across, LITFOG_REAL(-1.0), LITFOG_REAL(1.0));
-    LITFOG_REAL scattered = LITFOG_REAL(3.14159265) - at_lamp + angle;
-    LITFOG_REAL legs = (sin(angle) + sine) / max(sin(scattered), LITFOG_REAL(1.0e-6));  // over the range
-    LITFOG_REAL weight = litfog_gauss_weights[i] * litfog_phase(air.phase, LITFOG_REAL(1.0) - cos(scattered)) *
-                         exp(-dimming * depth * (legs - LITFOG_REAL(1.0)));
-    LITFOG_REAL base = LITFOG_REAL(1.0) + lobe * lobe - LITFOG_REAL(2.0) * lobe * cosine;
-    sum += weight * (even + (LITFOG_REAL(1.0) - even) * (LITFOG_REAL(1.0) - lobe * lobe) / (base * sqrt(base)));
-    weights += weight;
-  }
-  return min(flux * sum / max(weights, LITFOG_REAL(1.0e-30)), LITFOG_REAL(1.0));
-}
-
 // M of a point lamp along a ray of exp fog, over the lamp's effective intensity: what the eye would receive from endless
 // fog without what comes from beyond the ray's end.
 LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air) {
   LITFOG_REAL all = litfog_scattered_from(air, -air.approach, LITFOG_REAL(0.0));
   if (!(air.ray_length < litfog_far)) return all;
   return max(all - litfog_scattered_beyond(air, air.ray_length, LITFOG_REAL(0.0)), LITFOG_REAL(0.0));
+}
+
+// Henyey and Greenstein's phase function of a mean cosine.
+LITFOG_REAL litfog_scattered_lobe(LITFOG_REAL mean_cosine, LITFOG_REAL cosine) {
+  LITFOG_REAL base = LITFOG_REAL(1.0) + mean_cosine * (mean_cosine - LITFOG_REAL(2.0) * cosine);
+  return (LITFOG_REAL(1.0) - mean_cosine * mean_cosine) / (base * sqrt(base));
+}
+
+// M of a cone over that of a point lamp: of what is scattered into the eye at a point of the ray, a distance along it from
+// the closest approach. The light that arrives there is taken as spread about the direction in which it flows.
+//
+// beam          index of the cone's ScatteredBeam
+// phase_cosine  mean cosine of the phase function
+LITFOG_REAL litfog_beam_share(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
+  LITFOG_REAL range = max(litfog_airlight_range(air, along), LITFOG_REAL(1.0e-30));
+  LITFOG_REAL away = along / range;
+  LITFOG_REAL cosine = clamp((air.axis_offset + along * air.axis_slope) / range, LITFOG_REAL(-1.0), LITFOG_REAL(1.0));
+  LITFOG_REAL depth = clamp(air.density * range, litfog_first_beam_depth, litfog_last_beam_depth);
+  LITFOG_REAL column = acos(cosine) / litfog_beam_angle_step;
+  LitfogScatteredBeam scattered = litfog_scattered_beam(beam, log(depth / litfog_first_beam_depth) / litfog_beam_depth_step, column);
+  LITFOG_REAL even = phase_cosine * scattered.forward;
+  if (even == LITFOG_REAL(0.0)) return scattered.share;
+  LITFOG_REAL sine = sqrt(max(LITFOG_REAL(1.0) - cosine * cosine, LITFOG_REAL(1.0e-6)));
+  LITFOG_REAL across = (away * cosine - air.axis_slope) / sine;
+  LITFOG_REAL flow = max(sqrt(scattered.radial * scattered.radial + scattered.turned * scattered.turned), LITFOG_REAL(1.0e-9));
+  LITFOG_REAL ahead = -(scattered.radial * away + scattered.turned * across) / flow;
+  LITFOG_REAL mean_cosine = min(even * flow / scattered.share, LITFOG_REAL(0.95));
+  LITFOG_REAL cone = scattered.share * litfog_scattered_lobe(mean_cosine, clamp(ahead, LITFOG_REAL(-1.0), LITFOG_REAL(1.0)));
+  LITFOG_REAL point = litfog_scattered_lobe(even, -away);
+  // Some of the light has hardly been turned yet. It lights the peak of the phase function, and a cone has it inside alone.
+  LITFOG_REAL straight = scattered.forward * scattered.forward * scattered.forward *
+                         litfog_phase(air.phase, LITFOG_REAL(1.0) + away);
+  if (straight > point) {
+    LITFOG_REAL inside = litfog_scattered_beam(beam, LITFOG_REAL(0.0), column).share;
+    cone = max(cone, straight * inside * inside);
+    point = straight;
+  }
+  return min(cone / point, LITFOG_REAL(1.0));
+}
+
+// M of a cone along a ray of exp fog, over the lamp's effective intensity: that of a point lamp, piece by piece of the ray.
+LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
+  const int pieces = 32;
+  LITFOG_REAL width = max(air.offset, LITFOG_REAL(1.0e-4) * (max(air.approach, -air.approach) + LITFOG_REAL(1.0) / air.density));
+  LITFOG_REAL farthest = min(air.ray_length, max(air.approach, LITFOG_REAL(0.0)) + LITFOG_REAL(12.0) / air.density);
+  LITFOG_REAL first = asinh(-air.approach / width);
+  LITFOG_REAL last = asinh((farthest - air.approach) / width);
+  LITFOG_REAL sum = LITFOG_REAL(0.0);
+  LITFOG_REAL begin = LITFOG_REAL(0.0);
+  LITFOG_REAL beyond = litfog_scattered_from(air, -air.approach, LITFOG_REAL(0.0));
+  for (int i = 0; i < pieces; ++i) {
+    LITFOG_REAL t = first + (last - first) * LITFOG_REAL(i + 1) / LITFOG_REAL(pieces);
+    LITFOG_REAL end = i + 1 < pieces ? min(air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)), farthest) : farthest;
+    LITFOG_REAL next = litfog_scattered_beyond(air, end, LITFOG_REAL(0.0));
+    sum += max(beyond - next, LITFOG_REAL(0.0)) * litfog_beam_share(air, LITFOG_REAL(0.5) * (begin + end) - air.approach, beam, phase_cosine);
+    begin = end;
+    beyond = next;
+  }
+  return sum;
 }
 
 #undef LITFOG_REAL

@@ -19,6 +19,8 @@ uniform int first_light;
 uniform int light_count;
 uniform int row_count;  // texel rows of eight slabs; the next eight slabs are above
 
+const float faint_slabs = 0.0005;  // linear, of the display's white
+
 layout(location = 0) out vec4 sums[slabs_at_once];
 
 // The fog's -f'(s) f(r), 1/m, at a height. Without layers its density is that of the light's class.
@@ -56,12 +58,19 @@ void main() {
     vec3 lamp = light.color_intensity.rgb * litfog_airlight_unit();
 #ifdef HAS_HIGHER_ORDERS
     LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, litfog_far);
-    float intensity = scattered_intensity(index, air);
-    float beyond = litfog_scattered_beyond(air, slab_begin(first_slab), far_peak_angle);
+    vec4 source = texelFetch(scattering_sources, index);
+    float beyond[slabs_at_once + 1];
+    for (int slab = 0; slab <= slabs_at_once; ++slab) {
+      beyond[slab] = source.x * litfog_scattered_beyond(air, slab_begin(first_slab + slab), far_peak_angle);
+    }
+    // What is too faint for its steps to be seen has the share of the middle slabs.
+    float most = max(max(lamp.r, lamp.g), lamp.b) * (beyond[0] - beyond[slabs_at_once]);
+    bool is_faint = source.y < 0.0 || most < faint_slabs;
+    float share = is_faint ? scattered_share(source, air, slab_begin(first_slab + slabs_at_once / 2)) : 1.0;
     for (int slab = 0; slab < slabs_at_once; ++slab) {
-      float beyond_slab = litfog_scattered_beyond(air, slab_begin(first_slab + slab + 1), far_peak_angle);
-      slabs[slab] += lamp * (intensity * (beyond - beyond_slab));
-      beyond = beyond_slab;
+      float middle = 0.5 * (slab_begin(first_slab + slab) + slab_begin(first_slab + slab + 1));
+      if (!is_faint) share = scattered_share(source, air, middle);
+      slabs[slab] += lamp * (share * (beyond[slab] - beyond[slab + 1]));
     }
     if (!is_single) continue;
 #endif
