@@ -99,9 +99,10 @@ std::vector<Method> methods_of(Problem& problem, const SunTable& table, std::siz
   if (problem.mix == AirlightMix::inverse_square) {
     add("arctangent", {}, all, arctangent_airlight);
     if (problem.lamp_leg == LampLeg::fogged) {
+      add("pegoraro-2009", {}, all, pegoraro_airlight);
       add("sun-2005", {}, all, [&table](const AirlightCase& c) { return table.airlight(c); });
     }
-  } else if (problem.mix != AirlightMix::layers) {
+  } else {
     for (const int steps : kSteps) {
       add("march", steps, all, [steps](const AirlightCase& c) { return march_airlight(c, steps); });
     }
@@ -161,12 +162,12 @@ Result measure_airlight(bool quick) {
   const Scale& scale = quick ? kQuick : kFull;
   command::Progress progress;
   std::list<Problem> problems;  // methods point at them
-  for (const AirlightMix mix : {AirlightMix::point, AirlightMix::droplets, AirlightMix::layers, AirlightMix::any,
-                                AirlightMix::inverse_square}) {
+  for (const AirlightMix mix : {AirlightMix::point, AirlightMix::ahead, AirlightMix::droplets, AirlightMix::layers,
+                                AirlightMix::any, AirlightMix::inverse_square}) {
     for (const FogMode fog : {FogMode::exp, FogMode::exp2}) {
       const bool is_exp_alone = mix != AirlightMix::point && mix != AirlightMix::any;
       if (is_exp_alone && fog == FogMode::exp2)
-        continue;  // no rival knows it, or there are no such droplets and layers
+        continue;  // no rival knows it, or exp2 fog has no such phase functions and layers
       for (const LampLeg lamp_leg : {LampLeg::fogged, LampLeg::clear}) {
         progress.show(fmt::format("references of lights: {}, {} fog", name_of(mix), name_of(fog)));
         problems.emplace_back(mix, fog, lamp_leg, scale.rays);

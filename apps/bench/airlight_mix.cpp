@@ -15,9 +15,11 @@ test::AirlightCase draw_case(AirlightMix mix, test::Random& random, FogMode mode
   switch (mix) {
     case AirlightMix::point:
       return test::draw_airlight_case(random, mode, lamp_leg);
+    case AirlightMix::ahead:
     case AirlightMix::droplets:
     case AirlightMix::layers: {
       test::AirlightCase c = test::draw_airlight_case(random, mode, lamp_leg);
+      if (mix == AirlightMix::ahead) c.atmosphere.phase = Phase::henyey_greenstein(0.85);
       if (mix == AirlightMix::droplets) c.atmosphere.phase = Phase::droplets(10);
       if (mix == AirlightMix::layers) test::draw_layers(random, c);
       return c;
@@ -36,6 +38,8 @@ const char* name_of(AirlightMix mix) {
   switch (mix) {
     case AirlightMix::point:
       return "point";
+    case AirlightMix::ahead:
+      return "g-0.85";
     case AirlightMix::droplets:
       return "droplets";
     case AirlightMix::layers:

@@ -15,6 +15,8 @@ enum class AirlightMix {
   /// quarter each and else log-uniform over decades, threshold 0.05 in half; visibility 3 m to 100 km log-uniform, in
   /// one of twenty 5 cm to 3 m; rays through, past, from and behind the lamp, of any length.
   point,
+  /// The lamps and rays of `point` in fog by Henyey and Greenstein's phase function with g = 0.85.
+  ahead,
   /// The lamps and rays of `point` in fog of droplets of 10 micrometres.
   droplets,
   /// The lamps and rays of `point` in isotropic fog of one or two layers, as test::draw_layers() places them.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
+#include <complex>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numbers>
@@ -26,7 +27,13 @@ class Ray {
       : attenuation_(c.light.light.attenuation),
         threshold_(c.light.light.threshold),
         cone_(packed_cone<double>(c.light.light.cone)),
-        density_(c.atmosphere.fog.density * c.light.light.density_scale),
+        density_scale_(c.light.light.density_scale),
+        density_(c.atmosphere.fog.density * density_scale_),
+        air_(c.atmosphere),
+        is_layered_(c.atmosphere.profile.count > 0),
+        eye_height_(c.ray.origin.y),
+        lamp_height_(c.light.position.y),
+        slope_(c.ray.direction.y),
         is_exp_(c.atmosphere.fog.mode == FogMode::exp),
         is_fogged_(c.lamp_leg == LampLeg::fogged),
         phase_(c.atmosphere.phase),
@@ -47,10 +54,12 @@ class Ray {
 
   Stretch all() const { return {-approach_, length_ - approach_}; }
 
-  /// What of a stretch lies before the fog leaves 1e-4.
+  /// What of a stretch lies before the fog leaves 1e-4; in layers, the thinnest of it, and before 100 km.
   Stretch in_reach(const Stretch& stretch) const {
-    constexpr double kDepth = 9.2;
-    return {stretch.low, std::min(stretch.high, (is_exp_ ? kDepth : std::sqrt(kDepth)) / density_ - approach_)};
+    constexpr double kDepth = 9.2, kFarPlane = 1e5;
+    const double density =
+        is_layered_ ? std::max(air_.thinnest_fog().density * density_scale_, kDepth / kFarPlane) : density_;
+    return {stretch.low, std::min(stretch.high, (is_exp_ ? kDepth : std::sqrt(kDepth)) / density - approach_)};
   }
 
   /// Inside the lamp's sphere and cone.
@@ -64,7 +73,7 @@ class Ray {
 
   double opacity(double x) const {
     const double s = std::max(approach_ + x, 0.0);
-    return formulas::opacity(depth(s));
+    return formulas::opacity(depth(s, eye_height_, eye_height_ + slope_ * s));
   }
 
   /// What reaches a point of the ray and is scattered into the eye: the integrand without -f'(s).
@@ -73,13 +82,15 @@ class Ray {
     double value = formulas::attenuation(r, attenuation_.constant, attenuation_.linear, attenuation_.quadratic);
     if (value < threshold_) return 0;
     value *= formulas::litfog_cone_at(cone_.profile, (axis_offset_ + axis_slope_ * x) / r, cone_.x, cone_.y);
-    if (is_fogged_) value *= std::exp(-depth(r));
+    if (is_fogged_) value *= std::exp(-depth(r, lamp_height_, eye_height_ + slope_ * (approach_ + x)));
     if (!is_isotropic(phase_)) value *= phase_at(phase_, -x / r);
     return value;
   }
 
  private:
-  double depth(double range) const {
+  /// Of a line between two heights.
+  double depth(double range, double height_a, double height_b) const {
+    if (is_layered_) return air_.fog_between(height_a, height_b).density * density_scale_ * range;
     return is_exp_ ? formulas::depth_exp(range, density_) : formulas::depth_exp2(range, density_);
   }
 
@@ -102,7 +113,13 @@ class Ray {
   Attenuation attenuation_;
   double threshold_;
   PackedCone<double> cone_;
+  double density_scale_;
   double density_;
+  const Atmosphere& air_;
+  bool is_layered_;
+  double eye_height_;
+  double lamp_height_;
+  double slope_;  // metres of height a metre of the ray
   bool is_exp_;
   bool is_fogged_;
   Phase phase_;
@@ -126,6 +143,32 @@ double march(const Ray& ray, const Stretch& stretch, int steps) {
   return sum;
 }
 
+/// E1(z), the integral of e^-t / t from z, for Re z >= 0: by its series near 0 and its continued fraction elsewhere
+/// (Milton Abramowitz and Irene Stegun 1964, "Handbook of Mathematical Functions", 5.1.11 and 5.1.22, contracted).
+std::complex<double> exponential_integral(std::complex<double> z) {
+  constexpr int kMostTerms = 500;
+  constexpr double kSmallest = 1e-17;
+  if (std::abs(z) < 3) {
+    std::complex<double> sum = -std::numbers::egamma - std::log(z), power = 1;
+    for (int k = 1; k < kMostTerms && std::abs(power) > kSmallest; ++k) {
+      power *= -z / double(k);
+      sum -= power / double(k);
+    }
+    return sum;
+  }
+  // William Press et al. 2007, "Numerical Recipes", section 6.3: Lentz's method.
+  std::complex<double> b = z + 1.0, d = 1.0 / b, value = d, c = 1e300;
+  for (int k = 1; k < kMostTerms; ++k) {
+    const double a = -double(k) * k;
+    b += 2.0;
+    d = 1.0 / (a * d + b);
+    c = b + a / c;
+    value *= c * d;
+    if (std::abs(c * d - 1.0) < 1e-15) break;
+  }
+  return value * std::exp(-z);
+}
+
 constexpr int kTexels = 256;
 constexpr double kMaxU = 10;
 constexpr double kMaxV = std::numbers::pi / 2;
@@ -147,6 +190,21 @@ double arctangent_airlight(const test::AirlightCase& c) {
   const auto [low, high] = ray.lit();
   const double angle = std::atan(high / ray.offset()) - std::atan(low / ray.offset());
   return ray.density() / (ray.quadratic() * ray.offset()) * angle;
+}
+
+double pegoraro_airlight(const test::AirlightCase& c) {
+  const Ray ray(c);
+  const auto [low, high] = ray.lit();
+  const double h = ray.offset(), depth = ray.density() * h;
+  // With v = (x + r) / h both legs are e^(-depth v), and dx / r^2 is 2 / h dv / (1 + v^2). 1 / (1 + v^2) is the
+  // imaginary part of 1 / (v - i), whose integral with e^(-depth v) is that of E1.
+  const auto integral_from = [&](double x) {
+    const double r = ray.range(x), v = x < 0 ? h / (r - x) : (x + r) / h;
+    if (!std::isfinite(v)) return 0.0;
+    return std::imag(std::polar(1.0, -depth) * exponential_integral(depth * std::complex<double>(v, -1)));
+  };
+  return 2 * ray.density() / (ray.quadratic() * h) * std::exp(-ray.density() * ray.approach()) *
+         (integral_from(low) - integral_from(high));
 }
 
 SunTable::SunTable() {

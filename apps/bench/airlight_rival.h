@@ -22,6 +22,11 @@ double march_lit_airlight(const test::AirlightCase& c, int steps);
 /// nor from the lamp. For an inverse-square point lamp in isotropic exp fog, outside of its knee.
 double arctangent_airlight(const test::AirlightCase& c);
 
+/// Vincent Pegoraro and Steven Parker 2009, "An Analytical Solution to Single Scattering in Homogeneous Participating
+/// Media": the integral in closed form, by the exponential integral of a complex number, in double. For the same; with
+/// the lamp's leg.
+double pegoraro_airlight(const test::AirlightCase& c);
+
 /// Bo Sun, Ravi Ramamoorthi, Srinivasa Narasimhan and Shree Nayar 2005, "A Practical Analytic Single Scattering Model
 /// for Real Time Rendering": F(u, v), the integral of e^(-u tan x) for x from 0 to v, from a table with linear
 /// interpolation, u to 10. For the same; with the lamp's leg.

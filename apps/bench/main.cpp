@@ -60,13 +60,15 @@ exact, one light a call; batch; and, as the least possible, a copy of the bytes 
 columns in, one out). -uncached is the same over four million lights. Errors are against a 50-digit reference over the
 first 2,000 lights.
 
-airlight: per ray, over 4,000 rays whose airlight is more than 1e-10 of the lamp's colour, in five mixes. point: point
+airlight: per ray, over 4,000 rays whose airlight is more than 1e-10 of the lamp's colour, in six mixes. point: point
 lamps in isotropic fog; C below, at and above 1 and 0, L and Q from 0 over decades; visibility 3 m to 100 km, in one
-of twenty fogs 5 cm to 3 m; the eye beside, behind and in the lamp's light, rays of any length. droplets: the same in exp
-fog of droplets of 10 micrometres. layers: the same in layers of exp fog. any: two thirds are spots of 0.1
-to 180 degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: C = L = 0, outside of the knee.
+of twenty fogs 5 cm to 3 m; the eye beside, behind and in the lamp's light, rays of any length. g-0.85, droplets: the
+same in exp fog that scatters by g = 0.85 and of droplets of 10 micrometres. layers: the same in layers of exp fog. any:
+two thirds are spots of 0.1 to 180 degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: C = L = 0,
+outside of the knee.
 Methods: uniform steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas);
-litfog; the arctangent form without extinction (Macklin 2010); 256 x 256 tables (Sun et al. 2005); litfog's reference.
+litfog; the arctangent form without extinction (Macklin 2010); a closed form by the exponential integral (Pegoraro and
+Parker 2009); 256 x 256 tables (Sun et al. 2005); litfog's reference.
 Errors are against it, of the lamp's colour, or of the airlight where that is brighter; p99_relative is of the relative error.
 lamp_leg is 1 where the fog dims the light on its way from the lamp, too.
 
