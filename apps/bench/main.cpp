@@ -94,9 +94,10 @@ render: in exp fog, headlights with 1 to 256 lights at 640x360 by every lighting
 also with airlight, by the base texture alone (unlit) and, as the rival, by a small forward renderer of one shader that
 loops over all lights and skips nothing (plain); with 1 to 16 lights also with nothing skipped, and with 2 at 1280x720.
 Every scene with 2 and 16 lights at 1280x720 by unified, legacy and plain, with 1 and 4 samples a pixel, with and
-without skipping; with 4 and skipping also with airlight. Frames of all paths interleaved. Errors are those of the same
-picture at 80x45, by airlight at 32x18, against the path's own plain formulas, shaded in double. The picture has table 1
-of Hales 2004.
+without skipping; with 4 and skipping also with airlight. headlights, street and approach with 16 lights at 640x360 by
+airlight in isotropic fog, by g = 0.85 and of droplets of 10 micrometres (phase). Frames of all paths interleaved.
+Errors are those of the same picture at 80x45, by airlight at 32x18, against the path's own plain formulas, shaded in
+double. The picture has table 1 of Hales 2004.
 
 rejection: every scene by unified and peak, 640x360, with 2 and 16 lights, 1 and 4 samples a pixel: surfaces by
 material (none), from the nearest to the farthest (front-to-back), or after a pass of depths alone (depth-pass), frames

@@ -11,6 +11,7 @@ namespace litfog::bench {
 /// scene, path          path also: unlit, the base texture alone; plain, the rival (PlainRenderer), which skips nothing
 /// fog_light            peak: carried lights light the fog by their fog colour intensity; airlight (unified
 ///                      only): every light by its airlight
+/// phase                the fog's phase function: isotropic, g-0.85 or droplets; empty: the scene's
 /// lights, size         of the scene; WIDTHxHEIGHT in pixels
 /// samples              a pixel
 /// skip                 on or off: whether what cannot be visible is left out

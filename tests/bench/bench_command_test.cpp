@@ -414,21 +414,11 @@ TEST_F(BenchCommand, DebugBuildDoesNotMeasure) {
 #endif
 
 #ifdef LITFOG_HAS_GL
-const std::vector<std::string> kRenderColumns{"scene",
-                                              "path",
-                                              "fog_light",
-                                              "lights",
-                                              "size",
-                                              "samples",
-                                              "skip",
-                                              "ms_per_frame",
-                                              "ms_spread",
-                                              "ratio_to_legacy",
-                                              "ratio_to_two_light_legacy",
-                                              "ratio_to_plain",
-                                              "max_error_255",
-                                              "mean_error_255",
-                                              "excepted_pixels"};
+const std::vector<std::string> kRenderColumns{
+    "scene",          "path",          "fog_light",       "phase",
+    "lights",         "size",          "samples",         "skip",
+    "ms_per_frame",   "ms_spread",     "ratio_to_legacy", "ratio_to_two_light_legacy",
+    "ratio_to_plain", "max_error_255", "mean_error_255",  "excepted_pixels"};
 
 TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
   const Outcome outcome = run("render --quick --json render.json --csv render.csv --plot render.png");
@@ -438,11 +428,21 @@ TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
   const Json& rows = document["rows"];
   expect_columns(rows, kRenderColumns);
   std::map<int, std::map<std::string, Json>> by_lights;
+  std::multiset<std::string> in_droplets;
   for (const Json& row : rows) {
+    if (row["phase"] == "droplets") {
+      in_droplets.insert(row["path"]);
+      if (row["path"] == "unified") {
+        EXPECT_LT(row["max_error_255"].get<double>(), 1) << row;
+      }
+      continue;
+    }
+    EXPECT_TRUE(row["phase"].is_null()) << row;
     const bool is_peak = row["fog_light"] == "peak";
     EXPECT_TRUE(is_peak || row["fog_light"] == "airlight") << row;
     by_lights[row["lights"].get<int>()][row["path"].get<std::string>() + (is_peak ? "" : " airlight")] = row;
   }
+  EXPECT_EQ(in_droplets, (std::multiset<std::string>{"unified", "legacy"}));
   ASSERT_EQ(by_lights.size(), 2u);
   for (auto& [lights, paths] : by_lights) {
     EXPECT_EQ(paths.size(), 13u);
