@@ -52,6 +52,8 @@ const std::vector<std::string> kAirlightColumns{"method",     "nodes",     "fog"
                                                 "ns_per_ray", "ns_spread", "max_error_255", "p99_relative"};
 const std::vector<std::string> kLampColumns{"lamp",        "visibility_m", "peak",         "airlight_k0",
                                             "airlight_k1", "reference_k0", "reference_k1", "max_error_255"};
+const std::vector<std::string> kGlowColumns{"phase",      "parameter",      "tau",       "angle_deg", "method", "glow",
+                                            "glow_error", "relative_error", "ns_per_ray"};
 const std::vector<std::string> kUpdateColumns{
     "method",      "fog",       "lights",         "kinds",         "steps",
     "ms_per_step", "ms_spread", "bytes_per_step", "skipped_share", "max_deviation_255"};
@@ -210,16 +212,43 @@ TEST_F(BenchMeasurement, ScatteringTabulatesAllDepthsAndAngles) {
   EXPECT_NEAR(rows[0]["0.2 deg"].get<double>(), 39.6, 0.2) << "isotropic, as by the random walk";
 }
 
-TEST_F(BenchMeasurement, GlowIsThatOfTheRandomWalk) {
-  const Outcome outcome = run("glow --quick --json glow.json --plot glow.svg");
+TEST_F(BenchMeasurement, GlowIsThatOfTheReferenceAndOfTheRandomWalk) {
+#ifdef LITFOG_HAS_GL
+  const std::string strip = " --strip strip.png";
+#else
+  const std::string strip;
+#endif
+  const Outcome outcome = run("glow --quick --json glow.json --plot glow.svg" + strip);
   ASSERT_EQ(outcome.status, kDone) << outcome.err;
   const Json rows = Json::parse(read("glow.json"))["rows"];
-  ASSERT_EQ(rows.size(), 2 * 4 * 3u);
+  expect_columns(rows, kGlowColumns);
+  std::map<std::string, int> methods;
   for (const Json& row : rows) {
-    const auto value = [&](const char* column) { return row[column].get<double>(); };
-    EXPECT_GT(value("all"), value("single")) << row;
-    // So short a walk has errors that are themselves uncertain.
-    EXPECT_NEAR(value("all"), value("walk"), 8 * value("walk_error") + 0.3 * value("walk")) << row;
+    const std::string method = row["method"];
+    const double error = row["relative_error"];
+    ++methods[method];
+    EXPECT_EQ(row["glow_error"].is_null(), method != "walk") << row;
+    EXPECT_EQ(row["ns_per_ray"].is_null(), method == "walk") << row;
+    if (method == "reference") {
+      EXPECT_EQ(error, 0) << row;
+    } else if (method == "all") {
+      EXPECT_LT(error, 0.02) << row;
+    } else if (method == "walk") {
+      // So short a walk has errors that are themselves uncertain.
+      EXPECT_LT(error, 0.3 + 8 * row["glow_error"].get<double>() / row["glow"].get<double>()) << row;
+    } else {
+      EXPECT_GT(error, 0.01) << row;
+    }
+  }
+  EXPECT_EQ(methods, (std::map<std::string, int>{{"reference", 24},
+                                                 {"single", 24},
+                                                 {"all", 24},
+                                                 {"apsf-2003", 12},
+                                                 {"gaussian-2004", 24},
+                                                 {"octaves-2013", 24},
+                                                 {"walk", 24}}));
+  if (!strip.empty()) {
+    EXPECT_TRUE(read("strip.png").starts_with("\x89PNG"));
   }
   EXPECT_NE(read("glow.svg").find("angle from the lamp (degrees)"), std::string::npos);
 }
@@ -367,6 +396,9 @@ TEST_F(BenchMeasurement, UnwritableOutputIsAnErrorBeforeTheMeasurement) {
   EXPECT_ERROR(run("lamps --plot x.jpg"), kUsage, usage_message("--plot = x.jpg: must end in .png or .svg"));
   EXPECT_ERROR(run("update --plot x.png"), kUsage,
                usage_message("--plot cannot be given with update: it has no figure"));
+  EXPECT_ERROR(run("glow --strip x.svg"), kUsage, usage_message("--strip = x.svg: must end in .png"));
+  EXPECT_ERROR(run("lamps --strip x.png"), kUsage,
+               usage_message("--strip cannot be given with lamps: it has no strip"));
   EXPECT_ERROR(run("solve --plot x.png", "PATH=/nowhere"), kMissingCapability,
                "litfog-bench: gnuplot cannot be run: No such file or directory; install gnuplot-nox\n");
   EXPECT_ERROR(run("solve --csv ''"), kUsage, usage_message("--csv = \"\": must not be empty"));
