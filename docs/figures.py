@@ -11,6 +11,7 @@ figures.py --check  fails if a page differs from what would be written
 import csv
 import pathlib
 import re
+import statistics
 import sys
 
 docs = pathlib.Path(__file__).resolve().parent
@@ -83,10 +84,10 @@ def solve():
 
 @figure
 def airlight():
-    rows = read("epyc-airlight")
-    shown = {"point": [("march", 64), ("march-clipped", 64), ("litfog", ""), ("reference", "")],
-             "any": [("march", 64), ("march-clipped", 64), ("litfog", ""), ("reference", "")],
-             "inverse-square": [("arctangent", ""), ("sun-2005", ""), ("litfog", "")]}
+    rows = read("xeon-airlight")
+    marches = [("march", 16), ("march", 64), ("march-clipped", 16), ("march-clipped", 64), ("litfog", "")]
+    shown = {"point": marches, "g-0.85": marches, "droplets": marches, "layers": marches, "any": marches,
+             "inverse-square": [("arctangent", ""), ("pegoraro-2009", ""), ("sun-2005", ""), ("litfog", "")]}
     lines = []
     for lights, methods in shown.items():
         for method, nodes in methods:
@@ -94,7 +95,7 @@ def airlight():
             errors = [number(row["max_error_255"]), number(row["p99_relative"])]
             lines.append([lights, f"`{method}`", number(nodes), number(row["ns_per_ray"]), *errors])
     return table(["lamps", "method", "nodes", "ns a ray", "largest error, 1/255", "relative error of 99 % of rays"],
-                 lines, ("epyc-airlight", rows[0]))
+                 lines, ("xeon-airlight", rows[0]))
 
 
 @figure
@@ -186,6 +187,21 @@ def airlight_climb():
                       f"{max(row['worst'] for row in by):.3g}"])
     text = table(["function", "range", "rays", "bound", "worst found"], lines)
     return text.removesuffix("()") + "(`data/benchmarks/airlight-climb.csv`)"
+
+
+@figure
+def glow():
+    rows = read("glow")
+    lines = []
+    for fog, phase in (("isotropic", "hg"), ("droplets", "droplets")):
+        for method in ("single", "all", "apsf-2003", "gaussian-2004", "octaves-2013"):
+            by = only(rows, phase=phase, method=method)
+            cells = []
+            for tau in (0.3, 1, 3, 6):
+                errors = [100 * row["relative_error"] for row in only(by, tau=tau)]
+                cells.append(f"{number(statistics.median(errors))}, {number(max(errors))}" if errors else "")
+            lines.append([fog, f"`{method}`", number(statistics.median(row["ns_per_ray"] for row in by)), *cells])
+    return table(["fog", "method", "ns a ray", "depth 0.3", "1", "3", "6"], lines, ("glow", rows[0]))
 
 
 @figure
