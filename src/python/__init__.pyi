@@ -2,13 +2,15 @@
 # The types of `import litfog`; help() has the texts.
 import enum
 import os
+import pathlib
 from collections.abc import Sequence
-from typing import Any, overload
+from typing import Any, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 __version__: str
+data_dir: pathlib.Path
 CONTRAST_MOR: float
 CONTRAST_KOSCHMIEDER: float
 CONTRAST_FLIGHTGEAR: float
@@ -21,7 +23,8 @@ FOG_LIGHT_INSTANCE: np.dtype[np.void]
 
 _Path = str | bytes | os.PathLike[str] | os.PathLike[bytes]
 _Real = NDArray[np.float64] | NDArray[np.float32]
-_Column = float | NDArray[np.float64] | NDArray[np.float32]
+_Ray = tuple[Sequence[float], Sequence[float], float]
+_Rays = NDArray[np.void] | np.void | _Ray | Sequence[_Ray]
 
 class InputError(ValueError):
     file: str
@@ -72,15 +75,20 @@ class ConeFitStatus(enum.Enum):
     optimal = 0
     unproven = 1
 
+_FogMode = FogMode | Literal["exp", "exp2"]
+_ConeProfile = ConeProfile | Literal["none", "cosine", "smoothstep"]
+_LampLeg = LampLeg | Literal["clear", "fogged"]
+_AttenuationFamily = AttenuationFamily | Literal["quadratic", "linear", "mixed"]
+
 class Fog:
     mode: FogMode
     density: float
-    def __init__(self, mode: FogMode = ..., density: float = 0.0) -> None: ...
+    def __init__(self, mode: _FogMode = ..., density: float = 0.0) -> None: ...
     @staticmethod
-    def from_visibility(mode: FogMode, metres: float, contrast: float = ...) -> Fog: ...
+    def from_visibility(mode: _FogMode, metres: float, contrast: float = ...) -> Fog: ...
     @staticmethod
     def from_runway_visual_range(
-        mode: FogMode, metres: float, candela: float = 10000.0, illuminance_threshold: float = 8e-07
+        mode: _FogMode, metres: float, candela: float = 10000.0, illuminance_threshold: float = 8e-07
     ) -> Fog: ...
 
 class PhaseLobe:
@@ -145,7 +153,7 @@ class Cone:
     outer: float
     def __init__(
         self,
-        profile: ConeProfile = ...,
+        profile: _ConeProfile = ...,
         half_angle: float = 0.0,
         exponent: float = 0.0,
         inner: float = 0.0,
@@ -353,55 +361,55 @@ class ConeFit:
     @property
     def best(self) -> ConeProfileFit: ...
 
-def density_from_visibility(mode: FogMode, metres: ArrayLike, contrast: float = ...) -> Any: ...
-def runway_visual_range(fog: Fog, candela: float = 10000.0, illuminance_threshold: float = 8e-07) -> float: ...
-def illuminance_threshold(background: float) -> float: ...
+def density_from_visibility(mode: _FogMode, metres: ArrayLike, contrast: float = ...) -> Any: ...
+def runway_visual_range(fog: Fog, candela: ArrayLike = 10000.0, illuminance_threshold: ArrayLike = 8e-07) -> Any: ...
+def illuminance_threshold(background: ArrayLike) -> Any: ...
 def attenuation_at(attenuation: Attenuation, range: ArrayLike) -> Any: ...
 def fog_factor_at(fog: Fog, range: ArrayLike) -> Any: ...
 def opacity_at(fog: Fog, range: ArrayLike) -> Any: ...
 def flash_at(flash: Flash, seconds: ArrayLike) -> Any: ...
 def cone_at(cone: Cone, cos_angle: ArrayLike) -> Any: ...
-def compute_extent(attenuation: Attenuation, threshold: float = ...) -> float: ...
-def flux_within(cone: Cone, angle: float) -> float: ...
-def angle_at_level(cone: Cone, level: float) -> float: ...
-def color_of_temperature(kelvin: float) -> tuple[float, float, float]: ...
+def compute_extent(attenuation: Attenuation, threshold: ArrayLike = ...) -> Any: ...
+def flux_within(cone: Cone, angle: ArrayLike) -> Any: ...
+def angle_at_level(cone: Cone, level: ArrayLike) -> Any: ...
+def color_of_temperature(kelvin: ArrayLike) -> Any: ...
 @overload
 def solve_fog_intensity(attenuation: Attenuation, fog: Fog, threshold: float = ...) -> FogIntensity: ...
 @overload
 def solve_fog_intensity(light: Light, fog: Fog) -> FogIntensity: ...
 def solve_fog_intensities(
-    constant: _Real,
-    linear: _Real,
-    quadratic: _Real,
-    density: _Column,
-    threshold: _Column = ...,
-    mode: FogMode = ...,
+    constant: ArrayLike,
+    linear: ArrayLike,
+    quadratic: ArrayLike,
+    density: ArrayLike,
+    threshold: ArrayLike = ...,
+    mode: _FogMode = ...,
     *,
     out: BatchSolutions | None = None,
 ) -> BatchSolutions: ...
 def airlight(
     light: PlacedLight,
     atmosphere: Atmosphere,
-    rays: NDArray[np.void],
-    lamp_leg: LampLeg = ...,
+    rays: _Rays,
+    lamp_leg: _LampLeg = ...,
     *,
     out: NDArray[np.float64] | None = None,
-) -> NDArray[np.float64]: ...
+) -> Any: ...
 @overload
 def axial_airlight(attenuation: Attenuation, fog: Fog, threshold: float = ...) -> float: ...
 @overload
 def axial_airlight(light: Light, fog: Fog) -> float: ...
-def light_reach(light: Light, fog: Fog, budget: float, lamp_leg: LampLeg = ...) -> float: ...
+def light_reach(light: Light, fog: Fog, budget: ArrayLike, lamp_leg: _LampLeg = ...) -> Any: ...
 def make_scattering_table(atmosphere: Atmosphere) -> NDArray[np.float32]: ...
-def effective_intensity(attenuation: Attenuation, density: float) -> float: ...
+def effective_intensity(attenuation: Attenuation, density: ArrayLike) -> Any: ...
 def multiple_scattering(
     light: PlacedLight,
     atmosphere: Atmosphere,
     table: NDArray[np.float32],
-    rays: NDArray[np.void],
+    rays: _Rays,
     *,
     out: NDArray[np.float64] | None = None,
-) -> NDArray[np.float64]: ...
+) -> Any: ...
 def read_light(path: _Path) -> Light: ...
 def write_light(path: _Path, light: Light, source: str | Sequence[str] = ...) -> None: ...
 def format_light(light: Light, source: str | Sequence[str] = ...) -> str: ...
@@ -420,12 +428,12 @@ def fit_attenuation(
     attenuations: ArrayLike | None = None,
     weights: ArrayLike | None = None,
     threshold: float = ...,
-    family: AttenuationFamily = ...,
+    family: _AttenuationFamily = ...,
     is_robust: bool = False,
 ) -> AttenuationFit: ...
 def fit_cone(
     *,
-    profile: ConeProfile | None = None,
+    profile: _ConeProfile | None = None,
     half_angle: float | None = None,
     beam_angle: float | None = None,
     field_angle: float | None = None,

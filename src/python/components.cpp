@@ -8,10 +8,12 @@
 #include <optional>
 #include <stdexcept>
 #include <string>
+#include <system_error>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "files/hint.h"
 #include "litfog/files/light_file.h"
 #include "litfog/files/output_error.h"
 #include "litfog/fit/attenuation_fit.h"
@@ -51,10 +53,32 @@ std::vector<std::string> lines_of(const Source& source) {
   return line ? std::vector{*line} : std::get<std::vector<std::string>>(source);
 }
 
+/// The file of a light: itself, or where it is a bare name and no file, that of a bundled light.
+Path light_path(const Path& given) {
+  if (given.has_parent_path() || given.has_extension() || std::filesystem::exists(given)) return given;
+  const Path folder = py::module_::import("litfog").attr("data_dir").cast<Path>() / "lights";
+  const Path bundled = folder / (given.string() + ".json");
+  if (std::filesystem::exists(bundled)) return bundled;
+  std::vector<std::string> names;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    names.push_back(entry.path().stem().string());
+  }
+  throw InputError({.file = given.string()}, "must be a file or a bundled light" +
+                                                 files::hint_for_word(given.string(), {names.begin(), names.end()}));
+}
+
 void bind_files(py::module_& m) {
   m.def(
-      "read_light", [](const Path& path) { return read_light(path.string()); }, py::arg("path"), Released(),
-      "Reads a light file. InputError with file, line and column of what is wrong.");
+      "read_light",
+      [](const Path& path) {
+        const Path found = light_path(path);
+        const py::gil_scoped_release released;
+        return read_light(found.string());
+      },
+      py::arg("path"),
+      "Reads a light file, or by its bare name a light of data_dir / \"lights\". InputError with file, line and\n"
+      "column of what is wrong.");
   m.def(
       "write_light",
       [](const Path& path, const Light& light, const Source& source) {
@@ -101,7 +125,12 @@ void bind_photometry(py::module_& m) {
                         {py::ssize_t(distribution.horizontal.size()), py::ssize_t(distribution.vertical.size())},
                         distribution.intensity.data(), self);
           },
-          "candela, by horizontal and vertical angle");
+          "candela, by horizontal and vertical angle")
+      .def("__repr__", [](const py::object& self) {
+        return "<litfog.IntensityDistribution: type=litfog." + str_of(self.attr("type")) + ", " +
+               str_of(self.attr("horizontal").attr("size")) + " horizontal and " +
+               str_of(self.attr("vertical").attr("size")) + " vertical angles>";
+      });
   py::class_<IntensityPeak>(m, "IntensityPeak", "The largest intensity, always at measured angles.")
       .def_readonly("intensity", &IntensityPeak::intensity, "candela, > 0")
       .def_readonly("direction", &IntensityPeak::direction, "unit; the photometric axis is (0, 0, -1)");
@@ -127,6 +156,7 @@ void bind_photometry(py::module_& m) {
       .def(py::init([](const Path& path) { return GldfContainer(path.string()); }), py::arg("path"), Released())
       .def_property_readonly("files", &GldfContainer::files, "as list_gldf gives them")
       .def("read", &GldfContainer::read, py::arg("file"), Released(), "Reads one of its files. InputError.");
+  show_fields(m.attr("GldfContainer"), {"files"});
   m.def("stated_flux", &stated_flux, py::arg("luminaire"),
         "The luminaire's flux in lumens as its file states it, or None.");
   m.def("luminous_flux", &luminous_flux, py::arg("distribution"), Released(),
@@ -166,12 +196,12 @@ struct Column {
 template <typename Sample>
 std::vector<Sample> samples_of(const Column& first, const Column& second, const Column& weights) {
   if (first.numbers.is_none() && second.numbers.is_none() && weights.numbers.is_none()) return {};
-  std::vector<py::array_t<double>> columns;
+  std::vector<Numbers<double>> columns;
   for (const Column& column : {first, second, weights}) {
     if (!column.numbers.is_none()) columns.push_back(take_numbers(column.numbers, column.name));
   }
   const auto is_like_first = [&](const auto& column) {
-    return column.ndim() == 1 && column.size() == columns[0].size();
+    return column.ndim() <= 1 && column.size() == columns[0].size();
   };
   const bool has_both = !first.numbers.is_none() && !second.numbers.is_none();
   if (!has_both || !std::ranges::all_of(columns, is_like_first)) {
@@ -180,7 +210,7 @@ std::vector<Sample> samples_of(const Column& first, const Column& second, const 
   }
   std::vector<Sample> samples;
   for (py::ssize_t i = 0; i < columns[0].size(); ++i) {
-    samples.push_back({columns[0].at(i), columns[1].at(i), columns.size() > 2 ? columns[2].at(i) : 1});
+    samples.push_back({columns[0].data()[i], columns[1].data()[i], columns.size() > 2 ? columns[2].data()[i] : 1});
   }
   return samples;
 }

@@ -71,7 +71,7 @@ PyObject* new_bound_instance(PyTypeObject* type, PyObject* arguments, PyObject* 
   return nullptr;
 }
 
-/// The enumerator of a value, as enum.Enum has it; pybind11 would make one of any number.
+/// The enumerator of a value, as enum.Enum has it, or of a name; pybind11 would make one of any number.
 PyObject* enumerator_of(PyTypeObject* type, PyObject* arguments, PyObject* keywords) {
   static const char* const kNames[] = {"value", nullptr};
   PyObject* value = nullptr;
@@ -80,12 +80,16 @@ PyObject* enumerator_of(PyTypeObject* type, PyObject* arguments, PyObject* keywo
     const py::handle given(value);
     const bool is_of_another = Py_TYPE(value) != type && py::hasattr(given, "__members__");
     const bool is_number = PyIndex_Check(value) != 0 && !is_of_another;
+    const bool is_name = PyUnicode_Check(value) != 0;
     std::string known;
     const py::handle enumeration(reinterpret_cast<PyObject*>(type));
     for (const auto& [name, value_of_name] : enumeration.attr("__members__").cast<py::dict>()) {
       auto member = py::reinterpret_borrow<py::object>(value_of_name);
       const py::int_ number(member);
-      if (is_number && number.equal(py::int_(py::reinterpret_borrow<py::object>(given)))) return member.release().ptr();
+      if (is_name ? given.equal(name)
+                  : is_number && number.equal(py::int_(py::reinterpret_borrow<py::object>(given)))) {
+        return member.release().ptr();
+      }
       known += (known.empty() ? "" : ", ") + str_of(number) + " (" + name.cast<std::string>() + ")";
     }
     PyErr_Format(PyExc_ValueError, "%s = %R: must be one of %s", type->tp_name, value, known.c_str());
@@ -170,8 +174,8 @@ py::array view(const py::dtype& dtype, std::vector<py::ssize_t> shape, const voi
 
 namespace {
 
-/// An argument as the array that it must be: of this dtype and contiguous. Nothing is converted, because a copy would
-/// be made without a word, and results written into one would be lost.
+/// An argument as the array that it must be: of this dtype. Results are written where they lie, so that an array for
+/// them has to be contiguous.
 py::array take_array(const py::object& object, const std::string& name, const py::dtype& dtype, bool is_written) {
   const auto refuse_type = [&name, &dtype](const std::string& what_it_is) {
     throw py::type_error(name + ": must be a NumPy array of " + str_of(dtype) + ", is " + what_it_is);
@@ -183,10 +187,9 @@ py::array take_array(const py::object& object, const std::string& name, const py
   auto array = py::reinterpret_borrow<py::array>(object);
   if (!array.dtype().equal(dtype)) refuse_type("one of " + str_of(array.dtype()));
   constexpr int kNeeded = int(py::array::c_style) | int(py::detail::npy_api::NPY_ARRAY_ALIGNED_);
-  if ((array.flags() & kNeeded) != kNeeded) {
-    throw py::value_error(name + ": must be contiguous and aligned; numpy.ascontiguousarray makes such a copy");
-  }
-  if (is_written && !array.writeable()) throw py::value_error(name + ": must be writeable");
+  if (!is_written) return py::array::ensure(array, kNeeded);
+  if ((array.flags() & kNeeded) != kNeeded) throw py::value_error(name + ": must be contiguous and aligned");
+  if (!array.writeable()) throw py::value_error(name + ": must be writeable");
   return array;
 }
 
@@ -214,44 +217,6 @@ class Overlaps {
   std::vector<Bytes> arrays_;
 };
 
-/// Takes the columns of one call; the first says how long they are.
-class Columns {
- public:
-  template <typename T>
-  std::span<T> take(const py::object& object, const std::string& name) {
-    const bool is_written = !std::is_const_v<T>;
-    const py::array array = take_array(object, name, py::dtype::of<std::remove_const_t<T>>(), is_written);
-    if (array.ndim() != 1) {
-      throw py::value_error(name + ": must have one dimension, has " + std::to_string(array.ndim()));
-    }
-    const auto size = std::size_t(array.size());
-    if (!size_) size_ = size;
-    if (size != *size_) {
-      throw py::value_error(name + ": must have " + std::to_string(*size_) + " values, has " + std::to_string(size));
-    }
-    overlaps_.add(array, name, is_written);
-    return {static_cast<T*>(const_cast<void*>(array.data())), size};
-  }
-
-  /// A column, or one number for all lights, which `single` then holds.
-  template <typename Real>
-  std::span<const Real> take_or_single(const py::object& object, const std::string& name, Real& single) {
-    if (py::isinstance<py::array>(object)) return take<const Real>(object, name);
-    try {
-      single = static_cast<Real>(object.cast<double>());
-    } catch (const py::cast_error&) {
-      throw py::type_error(name + ": must be a number or a NumPy array");
-    }
-    return {&single, 1};
-  }
-
-  std::size_t size() const { return *size_; }
-
- private:
-  std::optional<std::size_t> size_;
-  Overlaps overlaps_;
-};
-
 // --- batch ---
 
 /// Where a batch's results go: arrays, or None for what is not computed. The intensity always is.
@@ -263,36 +228,75 @@ struct Solutions {
   std::size_t invalid_count = 0;
 };
 
-/// The columns of lights as Python has them.
-struct Lights {
-  py::object constant, linear, quadratic, density, threshold;
+/// Numbers of a batch's lights as Python has them.
+struct LightColumn {
+  const char* name;
+  py::object numbers;
 };
+enum : std::size_t { kConstant, kLinear, kQuadratic, kDensity, kThreshold, kColumns };
+using Lights = std::array<LightColumn, kColumns>;
+
+/// Whether lights are solved in floats: all arrays among their columns are.
+bool are_floats(const Lights& lights) {
+  const auto is_array = [](const LightColumn& column) { return py::isinstance<py::array>(column.numbers); };
+  const auto is_other = [&](const LightColumn& column) {
+    return is_array(column) && !py::reinterpret_borrow<py::array>(column.numbers).dtype().equal(py::dtype::of<float>());
+  };
+  return std::ranges::any_of(lights, is_array) && std::ranges::none_of(lights, is_other);
+}
 
 template <typename Real>
 void solve_columns(FogMode mode, const Lights& lights, std::optional<Solutions>& out) {
-  Columns columns;
-  Real single_density, single_threshold;  // the lights' columns may point to them
-  BasicBatchLights<Real> taken;
-  taken.constant = columns.take<const Real>(lights.constant, "constant");
-  taken.linear = columns.take<const Real>(lights.linear, "linear");
-  taken.quadratic = columns.take<const Real>(lights.quadratic, "quadratic");
-  taken.density = columns.take_or_single(lights.density, "density", single_density);
-  taken.threshold = columns.take_or_single(lights.threshold, "threshold", single_threshold);
-  if (!out) {
-    const auto size = py::ssize_t(columns.size());
-    const auto column = [size](const py::dtype& dtype) { return py::array(dtype, std::vector{size}); };
-    const auto real = py::dtype::of<Real>();
-    out = Solutions{column(real), column(real), column(real), column(py::dtype::of<std::uint8_t>())};
-  }
-  BasicBatchSolutions<Real> results;
-  results.intensity = columns.take<Real>(out->intensity, "out.intensity");
-  const auto take_result = [&columns]<typename T>(const py::object& object, const char* name, std::span<T>& result) {
-    if (!object.is_none()) result = columns.take<T>(object, std::string("out.") + name);
+  std::array<Numbers<Real>, kColumns> numbers;
+  std::optional<py::ssize_t> array_size;
+  const auto check = [](const py::array& column, const std::string& name, py::ssize_t size) {
+    if (column.ndim() != 1) {
+      throw py::value_error(name + ": must have one dimension, has " + std::to_string(column.ndim()));
+    }
+    if (column.size() != size) {
+      throw py::value_error(name + ": must have " + std::to_string(size) + " values, has " +
+                            std::to_string(column.size()));
+    }
   };
-  take_result(out->peak_range, "peak_range", results.peak_range);
-  take_result(out->extent, "extent", results.extent);
+  for (std::size_t i = 0; i < kColumns; ++i) {
+    numbers[i] = take_numbers<Real>(lights[i].numbers, lights[i].name);
+    if (numbers[i].ndim() == 0) continue;  // one number for all lights
+    if (!array_size) array_size = numbers[i].size();
+    check(numbers[i], lights[i].name, *array_size);
+  }
+  const py::ssize_t size = array_size.value_or(1);
+  Overlaps overlaps;
+  const auto column = [&](std::size_t i) {
+    if (numbers[i].ndim() == 0 && i < kDensity) {
+      Numbers<Real> repeated(size);
+      std::fill_n(repeated.mutable_data(), size, *numbers[i].data());
+      numbers[i] = std::move(repeated);
+    }
+    overlaps.add(numbers[i], lights[i].name, false);
+    return std::span(numbers[i].data(), std::size_t(numbers[i].size()));
+  };
+  const BasicBatchLights<Real> taken{.constant = column(kConstant),
+                                     .linear = column(kLinear),
+                                     .quadratic = column(kQuadratic),
+                                     .threshold = column(kThreshold),
+                                     .density = column(kDensity)};
+  if (!out) {
+    const auto empty = [size](const py::dtype& dtype) { return py::array(dtype, std::vector{size}); };
+    const auto real = py::dtype::of<Real>();
+    out = Solutions{empty(real), empty(real), empty(real), empty(py::dtype::of<std::uint8_t>())};
+  }
+  const auto take_result = [&]<typename T>(const py::object& object, const std::string& name, std::span<T>& result) {
+    const py::array array = take_array(object, name, py::dtype::of<T>(), true);
+    check(array, name, size);
+    overlaps.add(array, name, true);
+    result = {static_cast<T*>(const_cast<void*>(array.data())), std::size_t(size)};
+  };
+  BasicBatchSolutions<Real> results;
   std::span<std::uint8_t> status;
-  take_result(out->status, "status", status);
+  take_result(out->intensity, "out.intensity", results.intensity);
+  if (!out->peak_range.is_none()) take_result(out->peak_range, "out.peak_range", results.peak_range);
+  if (!out->extent.is_none()) take_result(out->extent, "out.extent", results.extent);
+  if (!out->status.is_none()) take_result(out->status, "out.status", status);
   static_assert(sizeof(BatchStatus) == 1);
   results.status = {reinterpret_cast<BatchStatus*>(status.data()), status.size()};
   const py::gil_scoped_release released;
@@ -308,9 +312,7 @@ py::object solve_batch(const Lights& lights, FogMode mode, const py::object& out
     }
     solutions = out.cast<Solutions>();
   }
-  const bool is_float = py::isinstance<py::array>(lights.constant) &&
-                        py::reinterpret_borrow<py::array>(lights.constant).dtype().equal(py::dtype::of<float>());
-  (is_float ? solve_columns<float> : solve_columns<double>)(mode, lights, solutions);
+  (are_floats(lights) ? solve_columns<float> : solve_columns<double>)(mode, lights, solutions);
   if (out.is_none()) return py::cast(std::move(*solutions));
   out.cast<Solutions&>().invalid_count = solutions->invalid_count;
   return out;
@@ -323,10 +325,29 @@ static_assert(sizeof(EyeRay) == 7 * sizeof(double) && offsetof(EyeRay, direction
 
 py::dtype eye_ray_dtype() { return make_dtype({{"origin", "f8", 3}, {"direction", "f8", 3}, {"length", "f8", 1}}); }
 
-/// Numbers along rays: call takes both spans without the GIL.
+/// Whether an object is a ray as a tuple of its origin, direction and length, or a list of those.
+bool are_ray_tuples(const py::handle& rays) {
+  if (py::isinstance<py::tuple>(rays)) return py::len(rays) == 3;
+  if (!py::isinstance<py::list>(rays)) return false;
+  const auto list = rays.cast<py::list>();
+  return std::all_of(list.begin(), list.end(), &are_ray_tuples);
+}
+
+py::array take_rays(const py::object& rays) {
+  expect_plain_values(rays, "rays");
+  const py::dtype dtype = eye_ray_dtype();
+  if (py::hasattr(rays, "dtype")) return take_array(py::array::ensure(rays), "rays", dtype, false);
+  try {
+    if (are_ray_tuples(rays)) return py::module_::import("numpy").attr("array")(rays, dtype);
+  } catch (const py::error_already_set&) {
+  }
+  throw py::type_error("rays: must be an array of EYE_RAY, or tuples of an origin, a direction and a length");
+}
+
+/// Numbers along rays, a plain one of a single ray: call takes both spans without the GIL.
 template <typename Call>
-py::array along_rays(const py::object& rays, const py::object& out, const Call& call) {
-  const py::array ray_array = take_array(rays, "rays", eye_ray_dtype(), false);
+py::object along_rays(const py::object& rays, const py::object& out, const Call& call) {
+  const py::array ray_array = take_rays(rays);
   const std::vector<py::ssize_t> shape{ray_array.shape(), ray_array.shape() + ray_array.ndim()};
   py::array numbers =
       out.is_none() ? py::array_t<double>(shape) : take_array(out, "out", py::dtype::of<double>(), true);
@@ -339,14 +360,16 @@ py::array along_rays(const py::object& rays, const py::object& out, const Call& 
   overlaps.add(numbers, "out", true);
   const std::span rays_read(static_cast<const EyeRay*>(ray_array.data()), std::size_t(ray_array.size()));
   const std::span results(static_cast<double*>(numbers.mutable_data()), rays_read.size());
-  const py::gil_scoped_release released;
-  call(rays_read, results);
-  return numbers;
+  {
+    const py::gil_scoped_release released;
+    call(rays_read, results);
+  }
+  return out.is_none() && shape.empty() ? numbers.attr("item")() : numbers;
 }
 
 /// light and atmosphere by value: other threads may change the caller's while this one runs.
-py::array airlights_of(PlacedLight light, Atmosphere atmosphere, const py::object& rays, LampLeg lamp_leg,
-                       const py::object& out) {
+py::object airlights_of(PlacedLight light, Atmosphere atmosphere, const py::object& rays, LampLeg lamp_leg,
+                        const py::object& out) {
   return along_rays(rays, out, [&](auto from, auto to) { airlight(light, atmosphere, from, lamp_leg, to); });
 }
 
@@ -355,8 +378,8 @@ py::array_t<float> scattering_table_of(const Atmosphere& atmosphere) {
   return py::array_t<float>({kScatteringDepths, kScatteringAngles}, table.logs[0].data());
 }
 
-py::array scattering_along(PlacedLight light, Atmosphere atmosphere, const py::object& table, const py::object& rays,
-                           const py::object& out) {
+py::object scattering_along(PlacedLight light, Atmosphere atmosphere, const py::object& table, const py::object& rays,
+                            const py::object& out) {
   const py::array given = take_array(table, "table", py::dtype::of<float>(), false);
   if (given.ndim() != 2 || given.shape(0) != kScatteringDepths || given.shape(1) != kScatteringAngles) {
     throw py::value_error("table: must be one of make_scattering_table, has the shape " + str_of(given.attr("shape")));
@@ -559,20 +582,27 @@ void bind_lights(py::module_& m) {
 
   m.def(
       "runway_visual_range",
-      [](const Fog& air_fog, double candela, double illuminance_threshold) {
-        return runway_visual_range(air_fog, {candela, illuminance_threshold});
+      [](const Fog& air_fog, const py::object& candela, const py::object& illuminance_threshold) {
+        const auto range = [&](double lamp, double seen) { return runway_visual_range(air_fog, {lamp, seen}); };
+        return py::vectorize(range)(take_numbers(candela, "candela"),
+                                    take_numbers(illuminance_threshold, "illuminance_threshold"));
       },
       py::arg("fog"), py::arg("candela") = RunwayLights{}.candela,
       py::arg("illuminance_threshold") = RunwayLights{}.illuminance_threshold,
-      "The runway visual range of a fog in metres, the inverse of Fog.from_runway_visual_range.");
+      "The runway visual range of a fog in metres, the inverse of Fog.from_runway_visual_range; numbers or\n"
+      "arrays.");
   m.def(
       "illuminance_threshold",
-      [](double background) {
-        require_background(background);
-        return illuminance_threshold(background);
+      [](const py::object& background) {
+        const auto threshold = [](double each) {
+          require_background(each);
+          return illuminance_threshold(each);
+        };
+        return py::vectorize(threshold)(take_numbers(background, "background"));
       },
       py::arg("background"),
-      "The lux at the eye from which a lamp is seen before a background of these cd/m2, after ICAO.");
+      "The lux at the eye from which a lamp is seen before a background of these cd/m2, after ICAO; numbers or\n"
+      "arrays.");
 
   py::class_<Attenuation> attenuation(
       m, "Attenuation",
@@ -713,27 +743,43 @@ void bind_lights(py::module_& m) {
       py::arg("cone"), py::arg("cos_angle"),
       "Fraction of the axial intensity that a cone sends into a direction, by the cosine of its angle from the axis;\n"
       "numbers or arrays.");
-  m.def("compute_extent", py::overload_cast<const Attenuation&, double>(&compute_extent), py::arg("attenuation"),
-        py::arg("threshold") = kDefaultThreshold,
-        "The range in metres at which the attenuation falls to the threshold.");
+  m.def("compute_extent",
+        over_numbers<Attenuation>("threshold", py::overload_cast<const Attenuation&, double>(&compute_extent)),
+        py::arg("attenuation"), py::arg("threshold") = kDefaultThreshold,
+        "The range in metres at which the attenuation falls to a threshold; numbers or arrays.");
+  m.def("flux_within",
+        over_numbers<Cone>("angle",
+                           [](const Cone& shape, double angle) {
+                             return flux_within(require_checked(shape), require_within(0, std::numbers::pi, "angle",
+                                                                                       angle, "must be in [0, pi]"));
+                           }),
+        py::arg("cone"), py::arg("angle"),
+        "Flux in steradians of a cone whose axial intensity is 1, out to angles in radians; numbers or arrays.");
+  m.def("angle_at_level",
+        over_numbers<Cone>("level",
+                           [](const Cone& shape, double level) {
+                             const bool is_kept = level > 0 && level < 1;
+                             return angle_at_level(require_checked(shape),
+                                                   require_rule(is_kept, "level", level, "must be in (0, 1)"));
+                           }),
+        py::arg("cone"), py::arg("level"),
+        "Angle in radians up to which a cone keeps a fraction of its axial intensity; numbers or arrays.");
   m.def(
-      "flux_within",
-      [](const Cone& shape, double angle) {
-        return flux_within(require_checked(shape),
-                           require_within(0, std::numbers::pi, "angle", angle, "must be in [0, pi]"));
+      "color_of_temperature",
+      [](const py::object& kelvin) -> py::object {
+        const Numbers<double> temperatures = take_numbers(kelvin, "kelvin");
+        if (temperatures.ndim() == 0) return py::cast(color_of_temperature(*temperatures.data()));
+        std::vector<glm::dvec3> colors;
+        for (const double each : std::span(temperatures.data(), std::size_t(temperatures.size()))) {
+          colors.push_back(color_of_temperature(each));
+        }
+        std::vector<py::ssize_t> shape{temperatures.shape(), temperatures.shape() + temperatures.ndim()};
+        shape.push_back(3);
+        return own(std::move(colors), py::dtype::of<double>(), shape);
       },
-      py::arg("cone"), py::arg("angle"),
-      "Flux in steradians of a cone whose axial intensity is 1, out to an angle in radians.");
-  m.def(
-      "angle_at_level",
-      [](const Cone& shape, double level) {
-        const bool is_kept = level > 0 && level < 1;
-        return angle_at_level(require_checked(shape), require_rule(is_kept, "level", level, "must be in (0, 1)"));
-      },
-      py::arg("cone"), py::arg("level"),
-      "Angle in radians up to which a cone keeps a fraction of its axial intensity.");
-  m.def("color_of_temperature", &color_of_temperature, py::arg("kelvin"),
-        "A colour temperature, 1000 to 25000 K, as linear sRGB whose largest component is 1.");
+      py::arg("kelvin"),
+      "A colour temperature, 1000 to 25000 K, as linear sRGB whose largest component is 1: a tuple, or of an array of\n"
+      "temperatures an array with one more axis.");
 }
 
 void bind_solve(py::module_& m) {
@@ -773,7 +819,7 @@ void bind_solve(py::module_& m) {
   py::class_<Solutions>(
       m, "BatchSolutions",
       "Where a batch's results go: one-dimensional arrays, or None for what, besides the intensity, is not to\n"
-      "be computed. Columns of real numbers have the dtype of the lights' columns, status is uint8.")
+      "be computed. Columns of real numbers have the type in which lights are solved, status is uint8.")
       .def(py::init([](py::object intensity, py::object peak_range, py::object extent, py::object status) {
              return Solutions{std::move(intensity), std::move(peak_range), std::move(extent), std::move(status)};
            }),
@@ -784,21 +830,26 @@ void bind_solve(py::module_& m) {
       .def_readonly("extent", &Solutions::extent, "metres")
       .def_readonly("status", &Solutions::status, "values of BatchStatus")
       .def_readonly("invalid_count", &Solutions::invalid_count, "how many lights of the last solve were invalid");
+  show_fields(m.attr("BatchSolutions"), {"intensity", "peak_range", "extent", "status", "invalid_count"});
   m.def(
       "solve_fog_intensities",
       [](py::object constant, py::object linear, py::object quadratic, py::object density, py::object threshold,
          FogMode mode, const py::object& out) {
-        return solve_batch(
-            {std::move(constant), std::move(linear), std::move(quadratic), std::move(density), std::move(threshold)},
-            mode, out);
+        return solve_batch({{{"constant", std::move(constant)},
+                             {"linear", std::move(linear)},
+                             {"quadratic", std::move(quadratic)},
+                             {"density", std::move(density)},
+                             {"threshold", std::move(threshold)}}},
+                           mode, out);
       },
       py::arg("constant"), py::arg("linear"), py::arg("quadratic"), py::arg("density"),
       py::arg("threshold") = kDefaultThreshold, py::arg("mode") = FogMode::exp, py::kw_only(),
       py::arg("out") = py::none(),
-      "solve_fog_intensity for many lights by SIMD. Columns are contiguous one-dimensional arrays, all float64 or all\n"
-      "float32, and are read where they lie; density and threshold may be numbers. Returns BatchSolutions: out, or\n"
-      "new columns. No result may overlap another column. Invalid lights are counted and marked, not raised. Releases\n"
-      "the GIL. TypeError and ValueError for columns that do not fit.");
+      "solve_fog_intensity for many lights by SIMD. Columns have one dimension; a number stands for all lights. They\n"
+      "are solved in float32 where all arrays among them are, else in float64; contiguous arrays of that type are\n"
+      "read where they lie. Returns BatchSolutions: out, whose arrays have that type, or new columns. No result may\n"
+      "overlap another column. Invalid lights are counted and marked, not raised. Releases the GIL. TypeError and\n"
+      "ValueError for columns that do not fit.");
 }
 
 void bind_airlight(py::module_& m) {
@@ -810,10 +861,10 @@ void bind_airlight(py::module_& m) {
       "airlight", &airlights_of, py::arg("light"), py::arg("atmosphere"), py::arg("rays"),
       py::arg("lamp_leg") = LampLeg::fogged, py::kw_only(), py::arg("out") = py::none(),
       "Airlight of a PlacedLight along rays from the eye: what of it the fog scatters into the eye, to be multiplied\n"
-      "with its colour. rays: contiguous array of dtype EYE_RAY and any shape, read where it lies; direction is unit,\n"
-      "length is metres to the surface or infinity. Returns out, or a new float64 array of the same shape. Errs by at\n"
-      "most 1/255 in isotropic fog. Releases the GIL. ValueError with field, value and rule, before any result is\n"
-      "written.");
+      "with its colour. rays: an array of dtype EYE_RAY and any shape, read where it lies if it is contiguous, or a\n"
+      "tuple of origin, direction and length, or a list of those; the direction is unit, the length is metres to the\n"
+      "surface or infinity. Returns out, or a new float64 array of the same shape, or a number. Errs by at most 1/255\n"
+      "in isotropic fog. Releases the GIL. ValueError with field, value and rule, before any result is written.");
   const char* axial_doc =
       "Airlight of a light along its own axis, the eye at the light, the light's leg clear; never below the fog\n"
       "colour intensity. ValueError with field, value and rule.";
@@ -821,19 +872,25 @@ void bind_airlight(py::module_& m) {
         py::arg("attenuation"), py::arg("fog"), py::arg("threshold") = kDefaultThreshold, axial_doc);
   m.def("axial_airlight", py::overload_cast<const Light&, const Fog&>(&axial_airlight), py::arg("light"),
         py::arg("fog"), axial_doc);
-  m.def("light_reach", &light_reach, py::arg("light"), py::arg("fog"), py::arg("budget"),
+  const auto reaches = [](const Light& light, const Fog& fog, const py::object& budget, LampLeg lamp_leg) {
+    return py::vectorize([&](double each) { return light_reach(light, fog, each, lamp_leg); })(
+        take_numbers(budget, "budget"));
+  };
+  m.def("light_reach", reaches, py::arg("light"), py::arg("fog"), py::arg("budget"),
         py::arg("lamp_leg") = LampLeg::fogged,
         "The range in metres beyond which a light shows on no surface and in no fog by as much as the budget, a\n"
-        "fraction of its colour in (0, 1).");
+        "fraction of its colour in (0, 1); numbers or arrays.");
   m.def(
       "make_scattering_table", &scattering_table_of, py::arg("atmosphere"),
       "Light that an atmosphere's phase function scatters twice and more often from a point lamp: a float32 array of\n"
       "optical depths by angles, the texture of litfog/shaders/multiple_scattering.glsl. ValueError unless the fog is\n"
       "exp, its albedo 1, and it is isotropic, of one lobe with alpha 0 and g in [0, 0.95], or of droplets.");
-  m.def("effective_intensity", py::overload_cast<const Attenuation&, double>(&effective_intensity),
+  m.def("effective_intensity",
+        over_numbers<Attenuation>(
+            "density", [](const Attenuation& of, double density) { return effective_intensity(of, density); }),
         py::arg("attenuation"), py::arg("density"),
         "The intensity of a lamp with 1 / r^2 that loses as much light to fog of a density as a light with an\n"
-        "attenuation does, m^2. density is finite and > 0.");
+        "attenuation does, m^2. Densities are finite and > 0; numbers or arrays.");
   m.def("multiple_scattering", &scattering_along, py::arg("light"), py::arg("atmosphere"), py::arg("table"),
         py::arg("rays"), py::kw_only(), py::arg("out") = py::none(),
         "Light that the fog scatters twice and more often into the eye along rays, to be added to airlight and\n"
@@ -847,7 +904,11 @@ void bind_updater(py::module_& m) {
   py::class_<FogLightHandle>(m, "FogLightHandle", "A light that a FogUpdater holds.")
       .def(
           "__eq__", [](const FogLightHandle& a, const FogLightHandle& b) { return a == b; }, py::is_operator())
-      .def("__hash__", [](const FogLightHandle& a) { return std::uint64_t{a.generation} << 32 | a.slot; });
+      .def("__hash__", [](const FogLightHandle& a) { return std::uint64_t{a.generation} << 32 | a.slot; })
+      .def("__repr__", [](const FogLightHandle& a) {
+        return "<litfog.FogLightHandle: light " + std::to_string(a.slot) + ", generation " +
+               std::to_string(a.generation) + ">";
+      });
   py::class_<Changes>(m, "FogLightChanges", "What must be uploaded again: sorted, disjoint slices of each table.")
       .def_readonly("kinds", &Changes::kinds, "slices of FogUpdater.kinds")
       .def_readonly("instances", &Changes::instances, "slices of FogUpdater.instances");
@@ -905,7 +966,11 @@ void bind_updater(py::module_& m) {
       .def("instance_of", &Updater::instance_of, py::arg("handle"), "Index of a light among the instances.")
       .def("kind_of", &Updater::kind_of, py::arg("handle"), "Index of a light's kind.")
       .def_property_readonly(
-          "statistics", [](const Updater& updater) { return updater.statistics(); }, "Of the last set_fog.");
+          "statistics", [](const Updater& updater) { return updater.statistics(); }, "Of the last set_fog.")
+      .def("__repr__", [](const Updater& updater) {
+        return "<litfog.FogUpdater: " + std::to_string(updater.instances().size()) + " instances of " +
+               std::to_string(updater.kinds().size()) + " kinds>";
+      });
 }
 
 }  // namespace

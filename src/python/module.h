@@ -9,6 +9,7 @@
 #include <glm/vec3.hpp>
 #include <initializer_list>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 #include "python/numbers.h"
@@ -33,6 +34,16 @@ struct pybind11::detail::type_caster<glm::dvec3> {
   }
   static handle cast(const glm::dvec3& vector, return_value_policy, handle) {
     return make_tuple(vector.x, vector.y, vector.z).release();
+  }
+};
+
+/// An enumerator is taken by its name, too: "exp" for FogMode.exp.
+template <typename Enumeration>
+struct pybind11::detail::type_caster<Enumeration, pybind11::detail::enable_if_t<std::is_enum_v<Enumeration>>>
+    : type_caster_base<Enumeration> {
+  bool load(handle source, bool convert) {
+    if (!isinstance<str>(source)) return type_caster_base<Enumeration>::load(source, convert);
+    return type_caster_base<Enumeration>::load(type::handle_of<Enumeration>()(source), convert);  // the class keeps it
   }
 };
 

@@ -37,16 +37,16 @@ void expect_plain_values(const py::handle& object, const std::string& name) {
   }
 }
 
-py::array_t<double> take_numbers(const py::object& object, const std::string& name) {
+py::object expect_numbers(const py::object& object, const std::string& name) {
   expect_plain_values(object, name);
-  if (PyFloat_Check(object.ptr()) || PyLong_Check(object.ptr())) return py::array_t<double>(py::float_(object));
+  if (PyFloat_Check(object.ptr()) || PyLong_Check(object.ptr())) return py::float_(object);
   const py::array array = py::array::ensure(object);
   if (!array) throw py::type_error(name + ": must be a number or an array of numbers");
   constexpr std::string_view kRealKinds = "fiub";
   if (kRealKinds.find(array.dtype().kind()) == kRealKinds.npos) {
     throw py::type_error(name + ": must be real numbers, is an array of " + str_of(array.dtype()));
   }
-  return py::array_t<double, py::array::forcecast>::ensure(array);
+  return array;
 }
 
 }  // namespace litfog::python

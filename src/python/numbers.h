@@ -17,10 +17,22 @@ std::string str_of(const pybind11::object& object);
 /// throws  ValueError for masked values, TypeError for a unit
 void expect_plain_values(const pybind11::handle& object, const std::string& name);
 
-/// Real numbers: one, a sequence of them, or an array of any layout and any dtype of real numbers, as float64. Text,
+/// An array whose values lie one after the other.
+template <typename Real>
+using Numbers = pybind11::array_t<Real, pybind11::array::c_style | pybind11::array::forcecast |
+                                            pybind11::detail::npy_api::NPY_ARRAY_ALIGNED_>;
+
+/// An object of real numbers: one, a sequence of them, or an array of any layout and any dtype of real numbers. Text,
 /// dates, complex numbers and objects are refused, though NumPy would make numbers of them.
 ///
-/// throws  TypeError; what expect_plain_values() throws
-pybind11::array_t<double> take_numbers(const pybind11::object& object, const std::string& name);
+/// returns  what Numbers take
+/// throws   TypeError; what expect_plain_values() throws
+pybind11::object expect_numbers(const pybind11::object& object, const std::string& name);
+
+/// Real numbers as expect_numbers() takes them. An array that already is what is returned is not copied.
+template <typename Real = double>
+Numbers<Real> take_numbers(const pybind11::object& object, const std::string& name) {
+  return Numbers<Real>::ensure(expect_numbers(object, name));
+}
 
 }  // namespace litfog::python

@@ -10,6 +10,7 @@ import json
 import math
 import os
 import pickle
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -140,6 +141,7 @@ class SolveTest(unittest.TestCase):
             for member in enumeration.__members__.values():
                 self.assertIs(enumeration(int(member)), member)
                 self.assertIs(enumeration(member), member)
+                self.assertTrue(enumeration is litfog.BatchStatus or enumeration(member.name) is member)
                 for protocol in range(pickle.HIGHEST_PROTOCOL + 1):
                     self.assertIs(pickle.loads(pickle.dumps(member, protocol)), member)
             for wrong in (max(values) + 1, 99, -1, 2**70):
@@ -147,13 +149,58 @@ class SolveTest(unittest.TestCase):
                     enumeration(wrong)
         with self.assertRaisesRegex(ValueError, r"^litfog.FogMode = 99: must be one of 0 \(exp\), 1 \(exp2\)$"):
             litfog.FogMode(99)
-        for wrong in ("exp", 1.0, None):
+        for wrong in ("fog", 1.0, None):
             with self.assertRaises((TypeError, ValueError)):
                 litfog.FogMode(wrong)
         exp = litfog.FogMode.exp
         for method in ("__init__", "__setstate__"):
             getattr(exp, method, lambda value: None)(1)
         self.assertEqual((int(exp), exp), (0, litfog.FogMode(0)))
+
+    def test_enumerators_are_taken_by_their_names(self):
+        fog = litfog.Fog("exp2", 0.5)
+        self.assertEqual(fog, litfog.Fog(litfog.FogMode.exp2, 0.5))
+        fog.mode = "exp"
+        self.assertEqual(fog.mode, litfog.FogMode.exp)
+        self.assertEqual(litfog.density_from_visibility("exp", 400), litfog.Fog.from_visibility("exp", 400).density)
+        self.assertEqual(litfog.fit_attenuation(extent=10, family="linear").attenuation.quadratic, 0)
+        for call in (lambda: litfog.Fog("ex"), lambda: setattr(fog, "mode", "ex"), lambda: litfog.FogMode("ex")):
+            with self.assertRaisesRegex(ValueError, r"^litfog.FogMode = 'ex': must be one of 0 \(exp\), 1 \(exp2\)$"):
+                call()
+
+    def test_bundled_lights_are_read_by_their_names(self):
+        self.assertTrue((litfog.data_dir / "scenes").is_dir())
+        for file in (litfog.data_dir / "lights").glob("*.json"):
+            self.assertEqual(litfog.read_light(file.stem), litfog.read_light(file))
+        with self.assertRaisesRegex(litfog.InputError, "^landing-lmp: .* a bundled light; did you mean landing-lamp\\?$"):
+            litfog.read_light("landing-lmp")
+        with self.assertRaisesRegex(litfog.InputError, "^landing-lamp.json: cannot be read"):
+            litfog.read_light("landing-lamp.json")
+
+    def test_every_class_has_a_repr_of_its_own(self):
+        for value in vars(litfog).values():
+            if isinstance(value, type):
+                self.assertIsNot(value.__repr__, object.__repr__, value)
+        updater = litfog.FogUpdater()
+        handle = updater.add(litfog.PlacedLight(litfog.Light()))
+        updater.set_fog(litfog.Fog())
+        self.assertEqual(repr(updater), "<litfog.FogUpdater: 1 instances of 1 kinds>")
+        self.assertEqual(repr(handle), "<litfog.FogLightHandle: light 0, generation 1>")
+        lamp = litfog.read_luminaire(os.path.join(test_data, "photometry", "landing_lamp.ies"))
+        self.assertEqual(repr(lamp.distribution), "<litfog.IntensityDistribution: type=litfog.PhotometryType.c, "
+                                                  "1 horizontal and 13 vertical angles>")  # fmt: skip
+
+    def test_another_python_is_told_for_which_litfog_is_built(self):
+        package = os.path.dirname(litfog.__file__)
+        with tempfile.TemporaryDirectory() as folder:
+            copied = os.path.join(folder, "litfog")
+            os.mkdir(copied)
+            shutil.copy(os.path.join(package, "__init__.py"), copied)
+            open(os.path.join(copied, "_litfog.cpython-34-riscv64-linux-gnu.so"), "wb").close()
+            run = subprocess.run([sys.executable, "-c", "import litfog"], env={**os.environ, "PYTHONPATH": folder},
+                                 capture_output=True, text=True)  # fmt: skip
+        self.assertRegex(run.stderr.splitlines()[-1], "^ImportError: litfog in .* is built for cpython-34-riscv64-linux-gnu"
+                                                      ", and this Python is cpython-3[^ ]*: use the other, or build")  # fmt: skip
 
     def test_results_show_their_fields(self):
         fit = litfog.fit_attenuation(extent=10)
@@ -186,6 +233,44 @@ class SolveTest(unittest.TestCase):
         np.testing.assert_allclose(litfog.fog_factor_at(fog, ranges), np.exp(-0.5 * ranges), atol=3e-16)
         self.assertEqual(litfog.cone_at(litfog.Cone.cosine(1, 2), 0.75), 0.5625)
 
+    def test_numbers_lists_tuples_and_arrays_are_taken_alike(self):
+        attenuation, fog, cone = litfog.Attenuation(1, 0, 0.25), litfog.Fog(density=0.5), litfog.Cone.cosine(1.5, 2)
+        for function in (
+            lambda x: litfog.attenuation_at(attenuation, x),
+            lambda x: litfog.fog_factor_at(fog, x),
+            lambda x: litfog.opacity_at(fog, x),
+            lambda x: litfog.cone_at(cone, x),
+            lambda x: litfog.flash_at(litfog.Flash(1, [(0.1, 0.3, 2)]), x),
+            lambda x: litfog.density_from_visibility("exp", x),
+            lambda x: litfog.compute_extent(attenuation, x),
+            lambda x: litfog.flux_within(cone, x),
+            lambda x: litfog.angle_at_level(cone, x),
+            lambda x: litfog.illuminance_threshold(x),
+            lambda x: litfog.runway_visual_range(fog, x),
+            lambda x: litfog.runway_visual_range(fog, 1000, x),
+            lambda x: litfog.effective_intensity(attenuation, x),
+            lambda x: litfog.light_reach(litfog.Light(), fog, x),
+            lambda x: np.asarray(litfog.color_of_temperature(np.multiply(x, 10_000)))[..., 2],
+            lambda x: np.asarray(litfog.solve_fog_intensities(1, x, 0.25, 0.5).intensity).reshape(np.shape(x)),
+            lambda x: np.asarray(litfog.solve_fog_intensities(1, 0, 0.25, 0.5, x).extent).reshape(np.shape(x)),
+        ):
+            single = [float(function(x)) for x in (0.25, 0.5)]
+            self.assertNotEqual(*single)
+            for both in ([0.25, 0.5], (0.25, 0.5), np.array([0.25, 0.5]), np.array([0.25, 7, 0.5])[::2],
+                         np.array([0.25, 0.5], np.float16)):  # fmt: skip
+                np.testing.assert_array_equal(function(both), single)
+            self.assertEqual(float(function(np.float64(0.25))), single[0])
+        ray = ((0, 0, 0), [0, 0, -1], 5)
+        placed = litfog.PlacedLight(litfog.Light(), [0, 3, -9])
+        rays = np.array([ray, ray], litfog.EYE_RAY)
+        single = litfog.airlight(placed, litfog.Atmosphere(fog), ray)
+        self.assertIs(type(single), float)
+        self.assertEqual(litfog.airlight(placed, litfog.Atmosphere(fog), rays[0]), single)
+        for both in (rays, [ray, ray], np.array([ray] * 4, litfog.EYE_RAY)[::2]):
+            np.testing.assert_array_equal(litfog.airlight(placed, litfog.Atmosphere(fog), both), [single, single])
+        for wrong in (5, [ray, 5], ray[:2], ((0, 0), (0, 0, -1), 5)):
+            with self.assertRaisesRegex(TypeError, "^rays: must be an array of EYE_RAY, or tuples of an origin"):
+                litfog.airlight(placed, litfog.Atmosphere(fog), wrong)
 
     def test_values_that_mean_something_else_are_refused(self):
         def masked(values, dtype=np.float64):
@@ -347,14 +432,10 @@ class BatchTest(unittest.TestCase):
         read_only.flags.writeable = False
         unaligned = np.zeros(33, np.uint8)[1:].view(np.float64)
         for columns, error, sentence in (
-            (([1.0], ones, ones, 1), TypeError, "constant: must be a NumPy array of float64, is of type list"),
-            ((ones, ones.astype("f4"), ones, 1), TypeError, "linear: must be a NumPy array of float64, is one of float32"),
-            ((ones, ones, ones.astype(">f8"), 1), TypeError, "quadratic: must be a NumPy array of float64, is one of >f8"),
-            ((ones, ones, np.ones(8)[::2], 1), ValueError, "quadratic: must be contiguous and aligned; "),
-            ((ones, ones, unaligned, 1), ValueError, "quadratic: must be contiguous and aligned; "),
+            (([1.0], ones, ones, 1), ValueError, "linear: must have 1 values, has 4"),
             ((ones, ones[:3], ones, 1), ValueError, "linear: must have 4 values, has 3"),
             ((np.ones((2, 2)), ones, ones, 1), ValueError, "constant: must have one dimension, has 2"),
-            ((ones, ones, ones, "thick"), TypeError, "density: must be a number or a NumPy array"),
+            ((ones, ones, ones, "thick"), TypeError, "density: must be real numbers, is an array of <U5"),
             ((ones, ones, ones, 1, np.ones(3)), ValueError, "threshold: must have 4 values, has 3"),
         ):
             with self.assertRaises(error) as raised:
@@ -365,6 +446,8 @@ class BatchTest(unittest.TestCase):
             (np.zeros(4, np.float32), TypeError, "out.intensity: must be a NumPy array of float64, is one of float32"),
             (read_only, ValueError, "out.intensity: must be writeable"),
             (ones, ValueError, "out.intensity: must not overlap constant"),
+            (np.zeros(8)[::2], ValueError, "out.intensity: must be contiguous and aligned"),
+            (unaligned, ValueError, "out.intensity: must be contiguous and aligned"),
         ):
             with self.assertRaises(error) as raised:
                 litfog.solve_fog_intensities(ones, ones, ones, 1, out=litfog.BatchSolutions(intensity=out))
@@ -373,6 +456,16 @@ class BatchTest(unittest.TestCase):
             litfog.solve_fog_intensities(ones, ones, ones, 1, out=np.zeros(4))
         with self.assertRaisesRegex(TypeError, "^out.intensity: must be a NumPy array of float64, is of type NoneType$"):
             litfog.solve_fog_intensities(ones, ones, ones, 1, out=litfog.BatchSolutions(None, peak_range=np.zeros(4)))
+
+    def test_columns_of_any_type_and_layout_are_solved_as_floats_where_all_arrays_are(self):
+        ones = np.ones(4)
+        whole = litfog.solve_fog_intensities(ones, ones, ones, 0.1).intensity
+        for given in (ones.astype(">f8"), np.ones(8)[::2], np.ones(33, np.uint8)[1:].view("u1")[:4], [1] * 4, 1):
+            solved = litfog.solve_fog_intensities(ones, given, ones, 0.1).intensity
+            np.testing.assert_array_equal(solved, whole)
+        floats = ones.astype("f4")
+        self.assertEqual(litfog.solve_fog_intensities(floats, 1, [1] * 4, 0.1).intensity.dtype, np.float32)
+        self.assertEqual(litfog.solve_fog_intensities(floats, ones, 1, 0.1).intensity.dtype, np.float64)
 
     def test_another_thread_runs_while_a_batch_is_solved(self):
         count = 1_500_000

@@ -16,7 +16,10 @@ for dtype in (np.float32, np.float64):
 density = litfog.density_from_visibility(fog.mode, np.array([50.0, 400.0]), contrast=0.02)
 litfog.solve_fog_intensities(np.ones(2), np.ones(2), np.ones(2), density)
 rays = np.zeros((4, 4), litfog.EYE_RAY)
-airlights: np.ndarray[tuple[int, ...], np.dtype[np.float64]] = litfog.airlight(litfog.PlacedLight(lamp), fog, rays)
+airlights: np.ndarray[tuple[int, ...], np.dtype[np.float64]] = litfog.airlight(
+    litfog.PlacedLight(lamp), litfog.Atmosphere(litfog.Fog("exp2")), rays, "clear"
+)
+litfog.airlight(litfog.PlacedLight(litfog.read_light(litfog.data_dir)), litfog.Atmosphere(fog), ((0, 0, 0), (0, 0, -1), 5))
 updater = litfog.FogUpdater()
 handle: litfog.FogLightHandle = updater.add(litfog.PlacedLight(lamp, carried=True))
 for dirty in updater.set_fog(fog).kinds:
@@ -25,4 +28,5 @@ covariance = litfog.fit_attenuation(extent=50).covariance
 if covariance is not None:
     covariance.trace()
 updater.add(lamp)  # type: ignore[arg-type]
+litfog.Fog("thick")  # type: ignore[arg-type]
 litfog.BatchSolutions(peak_range=np.empty(8))  # type: ignore[call-arg]

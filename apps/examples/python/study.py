@@ -30,7 +30,7 @@ def solve_chunk(begin, end, visibilities):
     extent = 5 * 1000 ** (index % EXTENTS / (EXTENTS - 1))
     row = index // EXTENTS
     metres = 50 * 200 ** (np.arange(row[0], row[-1] + 1) / visibilities)  # one fog for each row, of 50 to 10,000 m
-    densities = litfog.density_from_visibility(litfog.FogMode.exp, metres)
+    densities = litfog.density_from_visibility("exp", metres)
     solved = litfog.solve_fog_intensities(
         np.ones(end - begin), np.zeros(end - begin), 19 / extent**2, densities[row - row[0]]
     )

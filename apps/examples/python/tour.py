@@ -27,7 +27,7 @@ def show(name):
 
 # %% How brightly four lamps light the fog, over the visibility. A batch takes columns: one light or fog a row.
 visibilities = np.geomspace(50, 10_000, 400)
-densities = litfog.density_from_visibility(litfog.FogMode.exp, visibilities)
+densities = litfog.density_from_visibility("exp", visibilities)
 for name in ("landing-lamp", "headlight", "street-lamp", "runway-edge"):
     lamp = litfog.read_light(lights / f"{name}.json")
     constant, linear, quadratic = (
@@ -50,7 +50,7 @@ show("visibility")
 
 # %% Where the intensity comes from: opacity times attenuation, whose peak the solve finds.
 lamp = litfog.read_light(lights / "landing-lamp.json")
-fog = litfog.Fog.from_visibility(litfog.FogMode.exp, 1500)
+fog = litfog.Fog.from_visibility("exp", 1500)
 lit = litfog.solve_fog_intensity(lamp, fog)
 ranges = np.linspace(0, lit.extent, 500)
 attenuation = litfog.attenuation_at(lamp.attenuation, ranges)
@@ -79,7 +79,7 @@ spot = litfog.Light(attenuation=litfog.Attenuation(1, 0, 0.01), cone=litfog.Cone
 placed = litfog.PlacedLight(spot, position=(0, 8, -12), direction=(0, -1, 0))
 figure, axes = plt.subplots(1, 3, figsize=(13, 3))
 for axis, metres in zip(axes, (400, 100, 30)):
-    airlights = litfog.airlight(placed, litfog.Atmosphere(litfog.Fog.from_visibility(litfog.FogMode.exp, metres)), rays)
+    airlights = litfog.airlight(placed, litfog.Atmosphere(litfog.Fog.from_visibility("exp", metres)), rays)
     axis.imshow(airlights, cmap="inferno", vmin=0, vmax=0.15)
     axis.set_title(f"visibility {metres} m")
     axis.axis("off")
