@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The Python package of the install tree PREFIX, which was moved, finds its libraries, and its types lie beside it. With
-# PICTURES it also finds its scenes: one that is in no other tree.
+# PICTURES it also finds its scenes: one that is in no other tree. Where the libraries are not SHARED, so does the package
+# that pip installs into a virtual environment.
 cmake_minimum_required(VERSION 3.25)
 set(folder ${PREFIX}/lib/python3/dist-packages)
 
@@ -20,6 +21,22 @@ if(PICTURES)
   file(COPY_FILE ${PREFIX}/share/litfog/scenes/room.json ${PREFIX}/share/litfog/scenes/of-this-tree-alone.json)
   run_python("import litfog.pictures\nprint(litfog.pictures.scenes())")
   if(NOT output MATCHES "'of-this-tree-alone'" OR NOT EXISTS ${folder}/litfog/pictures.pyi)
+    message(FATAL_ERROR "${output}")
+  endif()
+endif()
+if(NOT SHARED)
+  set(environment ${WORK_DIR}/environment)
+  file(REMOVE_RECURSE ${WORK_DIR})
+  file(MAKE_DIRECTORY ${WORK_DIR})
+  execute_process(COMMAND ${PYTHON} -m venv --system-site-packages ${environment} COMMAND_ERROR_IS_FATAL ANY)
+  set(PYTHON ${environment}/bin/python)
+  set(folder ${PACKAGING})
+  run_python("import litfog_wheel, pathlib\nlitfog_wheel.pack(pathlib.Path('${PREFIX}'), pathlib.Path('${WORK_DIR}'))")
+  file(GLOB wheel ${WORK_DIR}/*.whl)
+  execute_process(COMMAND ${PYTHON} -m pip install --quiet --no-index ${wheel} COMMAND_ERROR_IS_FATAL ANY)
+  set(folder "")
+  run_python("import litfog\nprint(litfog.data_dir, litfog.read_light('headlight').name)")
+  if(NOT output MATCHES "^${environment}/share/litfog headlight")
     message(FATAL_ERROR "${output}")
   endif()
 endif()
