@@ -4,33 +4,65 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <cstdio>
+#include <mutex>
+#include <system_error>
 
 #include "command/printable.h"
 
 namespace litfog::command {
+namespace {
 
-using Clock = std::chrono::steady_clock;
+std::mutex mutex;  // of all that follows and of texts
+bool is_shown = false;
 
-Progress::Progress() : is_watched_(isatty(STDERR_FILENO) != 0), next_(Clock::now() + std::chrono::seconds(2)) {}
+void clear_line() {
+  if (is_shown) std::fputs("\r\x1B[K", stderr);
+  is_shown = false;
+}
 
-Progress::~Progress() { clear(); }
+}  // namespace
+
+Progress::Progress() {
+  if (isatty(STDERR_FILENO) == 0) return;
+  try {
+    thread_ = std::jthread([this](const std::stop_token& stop) { keep_shown(stop); });
+  } catch (const std::system_error&) {  // no more threads: work goes on without a line
+  }
+}
+
+Progress::~Progress() {
+  thread_ = {};
+  clear();
+}
 
 void Progress::clear() {
-  if (is_shown_) std::fputs("\r\x1B[K", stderr);
-  is_shown_ = false;
+  const std::lock_guard lock(mutex);
+  clear_line();
 }
 
 void Progress::print(std::string_view line) {
-  clear();
+  const std::lock_guard lock(mutex);
+  clear_line();
   fmt::print(stderr, "{}\n", printable(line));
 }
 
 void Progress::show(std::string_view text) {
-  if (!is_watched_ || Clock::now() < next_) return;
-  next_ = Clock::now() + std::chrono::milliseconds(200);
-  fmt::print(stderr, "\r\x1B[K{}", printable(text));
-  is_shown_ = true;
+  if (!thread_.joinable()) return;
+  const std::lock_guard lock(mutex);
+  text_ = text;
+}
+
+void Progress::keep_shown(const std::stop_token& stop) {
+  std::unique_lock lock(mutex);
+  std::chrono::milliseconds pause(2000);
+  while (!stopped_.wait_for(lock, stop, pause, [&stop] { return stop.stop_requested(); })) {
+    pause = std::chrono::milliseconds(200);
+    if (text_.empty()) continue;
+    fmt::print(stderr, "\r\x1B[K{} ({:.0f} s)", printable(text_), timer_.seconds());
+    is_shown = true;
+  }
 }
 
 }  // namespace litfog::command

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <chrono>
+#include <condition_variable>
+#include <string>
 #include <string_view>
+#include <thread>
+
+#include "command/wall_timer.h"
 
 namespace litfog::command {
 
-/// Progress on standard error of what takes more than two seconds, if that is a terminal.
+/// Progress on standard error of what takes more than two seconds, if that is a terminal: a line that says what is done
+/// and for how long the whole has taken. A program has one at a time.
 class Progress {
  public:
   Progress();
@@ -14,18 +19,22 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Replaces the text shown, at most five times a second.
+  /// Replaces the text. The line goes on while the caller waits, for a driver that compiles or a file that is read.
   void show(std::string_view text);
 
   /// Prints a line that stays, on a terminal or not: an error that does not end the work.
   void print(std::string_view line);
 
- private:
-  void clear();
+  /// Takes away the line of the program's progress, until it is shown again: before something else is printed.
+  static void clear();
 
-  bool is_watched_;
-  bool is_shown_ = false;
-  std::chrono::steady_clock::time_point next_;
+ private:
+  void keep_shown(const std::stop_token& stop);
+
+  std::string text_;
+  WallTimer timer_;
+  std::condition_variable_any stopped_;
+  std::jthread thread_;  // none where nobody watches
 };
 
 }  // namespace litfog::command

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "command/printable.h"
+#include "command/progress.h"
 #include "litfog/files/output_error.h"
 #include "text/system_reason.h"
 
@@ -21,6 +22,7 @@ void write_standard_output(std::string_view text) {
 }
 
 void report(std::string_view text) {
+  Progress::clear();
   write_standard_output(printable_lines(text));
   if (std::fflush(stdout) != 0) fail_to_write();
 }

@@ -12,6 +12,7 @@
 #include <thread>
 #include <tuple>
 
+#include "command/progress.h"
 #include "command/standard_output.h"
 #include "command/table.h"
 #include "command/wall_timer.h"
@@ -107,7 +108,12 @@ drawing::PictureFolder make_folder(const std::string& path, const std::vector<Ro
 /// What rows that are drawn at once share.
 struct Output {
   drawing::PictureFolder pictures;
+  std::size_t count;      ///< of pictures
+  std::size_t drawn = 0;  ///< of these
   std::mutex mutex = {};  ///< held while a picture is given to the folder and reported
+  command::Progress progress = {};
+
+  void show() { progress.show(fmt::format("{} of {} pictures drawn", drawn, count)); }
 };
 
 /// Draws a row's pictures on the current GL context.
@@ -135,6 +141,8 @@ std::vector<drawing::SheetEntry> draw_row(const Row& row, const drawing::Drawing
     entries.push_back({drawing::fitted_to_cell(picture), std::move(caption)});
     const std::lock_guard lock(output.mutex);
     output.pictures.write(file, std::move(picture));
+    ++output.drawn;
+    output.show();
     command::report(fmt::format("  {:<40} drawn in {:.2f} s{}\n", output.pictures.path_of(file), seconds,
                                 text.empty() ? "" : ", " + text));
   }
@@ -174,7 +182,9 @@ void draw_gallery(const std::vector<std::string>& scenes, const std::string& fol
   for (scene::Scene& scene : read) scene::move_to_time(scene, options.seconds);
   command::report(fmt::format("all loaded in {:.2f} s\n", timer.seconds()));
   const std::vector<Row> rows = make_rows(read, options);
-  Output output{.pictures = make_folder(folder, rows)};
+  Output output{.pictures = make_folder(folder, rows), .count = 0};
+  for (const Row& row : rows) output.count += shown_visibilities(*row.scene).size();
+  output.show();
   command::Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};
   for (const scene::Scene& scene : read) add_solutions(solutions, scene, options.fog_mode());
   const std::vector<std::vector<drawing::SheetEntry>> sheet = draw_rows(rows, options, output);

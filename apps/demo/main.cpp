@@ -14,8 +14,10 @@
 #include "command/command.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
+#include "command/progress.h"
 #include "command/table.h"
 #include "command/uncaught.h"
+#include "command/wall_timer.h"
 #include "demo/compare/path_comparison.h"
 #include "demo/compare/settings_comparison.h"
 #include "demo/gallery.h"
@@ -134,6 +136,9 @@ void check_picture_options(const CLI::App& app, const PictureOptions& options) {
 ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
   const drawing::DrawingOptions& drawing = options.drawing;
   const auto is_given = [&app](const char* option) { return app.count(option) > 0; };
+  const WallTimer timer;
+  Progress progress;
+  progress.show(fmt::format("{}: loading", options.scene.scene));
   scene::Scene scene = drawing::read_scene(options.scene);
   drawing::check_scene_options(app, scene);
   scene::move_to_time(scene, drawing.seconds);
@@ -146,8 +151,9 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
   for (const std::string& file : scene.files) outputs.expect_apart_from(file);
   outputs.expect_no_documents();
 
-  const drawing::Drawn drawn = draw(scene, drawing, options.frames, options.reference || is_given("--heat-map"),
-                                    is_given("--stats"), options.in_floats);
+  const drawing::Drawn drawn =
+      draw(scene, drawing, timer, progress, options.frames, options.reference || is_given("--heat-map"),
+           is_given("--stats"), options.in_floats);
   if (is_given("--heat-map")) {
     drawing::write_picture(
         options.heat_map,
@@ -162,9 +168,11 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
   const std::string words = display               ? drawing::display_in_words(*display)
                             : is_cut_off(picture) ? "in 32-bit floats: light exceeds half floats' 65504"
                                                   : "";
-  report(fmt::format("{}: {} ({}x{}{}) in {} ms on {}\n", output, scene.name, drawing.width, drawing.height,
-                     words.empty() ? "" : ", " + words, measure::milliseconds_text(drawn.times.median()),
-                     drawn.gl_renderer));
+  using measure::milliseconds_text;
+  report(fmt::format("{}: {} ({}x{}{}): loaded in {} ms, shaders compiled in {} ms, drawn in {} ms on {}\n", output,
+                     scene.name, drawing.width, drawing.height, words.empty() ? "" : ", " + words,
+                     milliseconds_text(drawn.load_ms), milliseconds_text(drawn.compile_ms),
+                     milliseconds_text(drawn.times.median()), drawn.gl_renderer));
   if (drawn.comparison) {
     report(fmt::format("{}: {}\n", drawing.render.path->name, measure::error_in_words(drawn.comparison->error)));
   }

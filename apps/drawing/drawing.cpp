@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawing/drawing.h"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 #include <utility>
 
-#include "command/progress.h"
 #include "litfog/gl/headless_context.h"
 #include "render/renderer.h"
 
@@ -38,19 +41,23 @@ render::Picture whole_light(render::Renderer& renderer, render::Picture light) {
   return is_cut_off(light) ? renderer.draw_in_floats() : std::move(light);
 }
 
-Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference,
-           bool has_statistics, bool in_floats) {
+Drawn draw(const scene::Scene& scene, const DrawingOptions& options, const command::WallTimer& load,
+           command::Progress& progress, int frames, bool has_reference, bool has_statistics, bool in_floats) {
   const gl::HeadlessContext context;
   render::Renderer renderer(scene, options.width, options.height, options.settings());
+  const double load_ms = load.milliseconds();
+  const command::WallTimer timer;
+  const measure::Progress show = [&](std::string_view step) { progress.show(fmt::format("{}: {}", scene.name, step)); };
+  show(measure::kCompiling);
   const DrawnFor drawn_for = set_fog_and_exposure(renderer, options);
-  command::Progress progress;
-  const measure::Progress show = [&progress](std::string_view step) { progress.show(step); };
   Drawn drawn{
       .picture = {},
       .display = drawn_for.display,
       .visibility = drawn_for.visibility,
       .times =
           measure::time_frames({measure::frames_of(renderer)}, measure::FrameBudget::exactly(frames), show).front(),
+      .load_ms = load_ms,
+      .compile_ms = timer.milliseconds(),
       .shadow_lamps = renderer.shadows() ? renderer.shadows()->casters().size() : 0,
       .shadow_maps = renderer.shadows() ? renderer.shadows()->map_count() : 0,
       .statistics = {},
@@ -58,6 +65,11 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames,
       .samples = renderer.samples(),
       .gl_renderer = context.renderer(),
       .gl_version = context.version()};
+  // Frames drawn untimed: the first, and for an automatic exposure one, above 0 EV two.
+  const render::Exposure& exposure = drawn.display.exposure;
+  const double untimed = 1 + (exposure.is_auto ? 1 : 0) + (exposure.is_auto && exposure.ev > 0 ? 1 : 0);
+  drawn.compile_ms -= std::reduce(drawn.times.milliseconds.begin(), drawn.times.milliseconds.end());
+  drawn.compile_ms = std::max(drawn.compile_ms - untimed * drawn.times.median(), 0.0);
   if (has_statistics) drawn.statistics = renderer.draw_and_measure();
   if (has_reference) drawn.comparison = measure::compare_with_reference(renderer, show);
   if (in_floats) {
@@ -84,6 +96,8 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
       {"size", {options.width, options.height}},
       {"samples", drawn.samples},
       {"lights", scene.lights.size()},
+      {"ms_to_load", drawn.load_ms},
+      {"ms_to_compile", drawn.compile_ms},
       {"frames", times.milliseconds.size()},
       {"ms_per_frame",
        {{"median", times.median()},

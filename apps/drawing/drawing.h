@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "command/progress.h"
 #include "drawing/drawing_options.h"
 #include "litfog/fog.h"
 #include "measure/comparison.h"
@@ -19,8 +20,10 @@ struct Drawn {
   Display display;    ///< for which it was drawn, an automatic exposure chosen
   double visibility;  ///< metres
   measure::FrameTimes times;
-  std::size_t shadow_lamps;                       ///< that cast shadows
-  std::size_t shadow_maps;                        ///< theirs and the moon's
+  double load_ms;            ///< milliseconds until all is uploaded and lights are solved
+  double compile_ms;         ///< from then on until the frames timed, less what the frames drawn meanwhile took
+  std::size_t shadow_lamps;  ///< that cast shadows
+  std::size_t shadow_maps;   ///< theirs and the moon's
   render::FrameStatistics statistics;             ///< one more frame's, if asked for
   std::optional<measure::Comparison> comparison;  ///< with the reference, if asked for
   int samples;                                    ///< a pixel
@@ -47,15 +50,18 @@ render::Picture whole_light(render::Renderer& renderer, render::Picture light);
 
 /// Draws and times a scene. Throws gl::Unsupported if this machine cannot.
 ///
+/// load            since the scene has been loading
+/// progress        shows what is done
 /// frames          to time, >= 1
 /// has_reference   whether the last frame is compared with its reference
 /// has_statistics  whether statistics are wanted
 /// in_floats       whether the picture is drawn once more into floats; it is anyway where light is beyond half floats
-Drawn draw(const scene::Scene& scene, const DrawingOptions& options, int frames, bool has_reference,
-           bool has_statistics, bool in_floats = false);
+Drawn draw(const scene::Scene& scene, const DrawingOptions& options, const command::WallTimer& load,
+           command::Progress& progress, int frames, bool has_reference, bool has_statistics, bool in_floats = false);
 
-/// The file of --stats: what was drawn and how (`scene` to `lights`, `skip` to `shadow_maps`), the times of `frames`
-/// frames (`ms_per_frame`), and of one frame more, drawn stage by stage as if the view had just changed:
+/// The file of --stats: what was drawn and how (`scene` to `lights`, `skip` to `shadow_maps`), the times of loading it,
+/// of compiling its shaders and of `frames` frames (`ms_to_load`, `ms_to_compile`, `ms_per_frame`), and of one frame
+/// more, drawn stage by stage as if the view had just changed:
 ///
 /// chunks                surfaces: drawn; fog_alone (hidden by fog, but before something that is visible);
 ///                       outside_view; hidden_by_fog. chunks_drawn is the sum of the first two, chunks_skipped of the

@@ -40,8 +40,9 @@ std::vector<FrameTimes> time_frames(const std::vector<DrawFrame>& renderers, con
     if (timed == 0) first_timed = Clock::now();
     for (std::size_t i = 0; i < renderers.size(); ++i) {
       if (progress) {
-        progress(fmt::format("{}, {} of {}", timed < 0 ? "first frames" : fmt::format("timing frames {}", timed + 1),
-                             i + 1, renderers.size()));
+        std::string step = timed < 0 ? std::string(kCompiling) : fmt::format("timing frames {}", timed + 1);
+        if (renderers.size() > 1) step += fmt::format(", {} of {}", i + 1, renderers.size());
+        progress(step);
       }
       const auto start = Clock::now();
       times[i].counts = renderers[i]();

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "command/progress.h"
 #include "command/standard_output.h"
 #include "drawing/contact_sheet.h"
 #include "drawing/picture_folder.h"
@@ -24,7 +25,9 @@ void draw_paper_sheets(const std::string& folder, int width, int height, int fra
   drawing::PictureFolder pictures(folder, files, {});
   const gl::HeadlessContext context;
   const FigurePainter painter(width, height, frames);
+  command::Progress progress;
   for (const auto& [file, draw] : sheets) {
+    progress.show(fmt::format("drawing {}", file));
     pictures.write(file, drawing::make_contact_sheet(draw(painter)));
     command::report(fmt::format("{}\n", pictures.path_of(file)));
   }

@@ -120,15 +120,16 @@ SceneResult compare_scene(const scene::Scene& scene, drawing::PictureFolder& pic
                      .conditions = words_of(atmosphere.fog, visibility),
                      .lights = scene.lights.size()};
   command::report(fmt::format("{}: {} lights, {}\n", scene.name, scene.lights.size(), result.conditions));
+  command::Progress shown;
+  const measure::Progress progress = [&](std::string_view step) {
+    shown.show(fmt::format("{}: {}", scene.name, step));
+  };
+  progress(measure::kCompiling);
   auto renderers = make_renderers(scene, atmosphere, options);
   const std::vector<drawing::Display> displays = set_exposures(renderers, scene, options.display);
   if (const std::string words = drawing::display_in_words(displays.front()); !words.empty())
     result.conditions += ", " + words;
   pictures.finish();  // encoding would take time from the frames
-  command::Progress shown;
-  const measure::Progress progress = [&](std::string_view step) {
-    shown.show(fmt::format("{}: {}", scene.name, step));
-  };
   const std::vector<measure::FrameTimes> times = time_paths(renderers, frames, progress);
   const auto paths = render::lighting_paths();
   const auto legacy = std::size_t(render::find_lighting_path("legacy") - paths.data());

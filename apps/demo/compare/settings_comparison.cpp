@@ -239,11 +239,12 @@ void compare_settings(const std::vector<Setting>& settings, const std::string& f
   expect_effects(settings, scenes);
   const drawing::PictureFolder page(folder, {kPageFile}, inputs);
 
+  command::Progress shown;
+  const measure::Progress progress = [&shown](std::string_view step) { shown.show(step); };
+  progress(measure::kCompiling);
   const std::vector<SettingRenderer> renderers = make_renderers(settings, scenes);
   std::vector<measure::DrawFrame> draws;
   for (const SettingRenderer& each : renderers) draws.push_back(measure::frames_of(*each.renderer));
-  command::Progress shown;
-  const measure::Progress progress = [&shown](std::string_view step) { shown.show(step); };
   const std::vector<measure::FrameTimes> times =
       measure::time_frames(draws, measure::FrameBudget::exactly(frames), progress);
 

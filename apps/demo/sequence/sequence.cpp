@@ -11,6 +11,7 @@
 
 #include "command/command.h"
 #include "command/output_files.h"
+#include "command/progress.h"
 #include "command/standard_output.h"
 #include "command/wall_timer.h"
 #include "demo/sequence/animation.h"
@@ -18,6 +19,7 @@
 #include "drawing/picture_folder.h"
 #include "files/whole_file.h"
 #include "litfog/input_error.h"
+#include "measure/progress.h"
 #include "render/renderer.h"
 #include "text/file_text.h"
 #include "text/shown_number.h"
@@ -269,8 +271,11 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const drawing:
   render::Renderer renderer(scene, drawing.width, drawing.height, settings);
   if (sequence.changes_environment_light()) renderer.set_environment_light();
   drawing::Display display = drawing.display.display_for(scene, settings.fog_lighting);
+  command::Progress progress;
   for (int frame = 0; frame < count; ++frame) {
     const command::WallTimer frame_timer;
+    progress.show(fmt::format("{}: {}, frame {} of {}", scene.name, frame == 0 ? measure::kCompiling : "drawing",
+                              frame + 1, count));
     if (frame > 0) {
       sequence.show(frame);
       if (sequence.changes_objects()) renderer.set_objects();
