@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <optional>
@@ -130,6 +131,19 @@ double bound_airlight(const PlacedLight& light, const Atmosphere& atmosphere, co
 ///          above the budget in clear air or with the lamp's leg clear
 /// throws   std::invalid_argument naming field, value and rule
 double light_reach(const Light& light, const Fog& fog, double budget, LampLeg lamp_leg = LampLeg::fogged);
+
+/// The budget of light_reach() at which all that lights add beyond their reaches stays below a step of a picture.
+///
+/// Proof. A light of budget b and brightness c adds less than b c to a surface beyond its reach, and less than p b c to
+/// the fog before it, where p is airlight_unit() times largest_phase(), because a f < b there, and -f' has an integral
+/// of at most 1. All lights together add less than their number times (1 + p) b c.
+///
+/// step        linear light, finite, > 0; of surfaces that reflect at most what they receive, diffuse and specular
+/// lights      of the scene
+/// brightness  the largest component of the light's colour, finite, >= 0
+/// returns     (0, 0.5]
+/// throws      std::invalid_argument naming field, value and rule
+double reach_budget(double step, std::size_t lights, double brightness, const Atmosphere& atmosphere);
 
 /// Largest error of axial_airlight in ulp.
 inline constexpr double kAxialAirlightMaxUlp = 3;

@@ -36,7 +36,7 @@ struct Cluster {
   friend bool operator==(const Cluster&, const Cluster&) = default;
 };
 
-/// How a shader finds the cluster of a fragment:
+/// How a shader finds the cluster of a fragment, as litfog/shaders/light_clusters.glsl does:
 ///   column = floor(columns * x), row = floor(rows * y), with x and y from 0 to 1 over the picture, y up
 ///   slice = clamp(floor(slice_scale * log2(depth) + slice_bias), 0, slices - 1)
 ///   cluster = (slice * rows + row) * columns + column
@@ -61,7 +61,7 @@ inline constexpr double kClusterSlack = 1e-5;
 inline constexpr double kClusterExcess = 0.1;
 
 /// Lists the lights that can light each cluster, a small part of a view, so that a fragment loops over a short list
-/// instead of all lights.
+/// instead of all lights; and for airlight those that can light anything between the eye and a cluster.
 ///
 /// No light is missing from a cluster in which it can light a point. A light is in a cluster only if no plane of the
 /// grid, no plane that touches the light's cone, and no ball around the light shrunk by the cluster's planes separates
@@ -71,7 +71,7 @@ inline constexpr double kClusterExcess = 0.1;
 ///
 /// A light costs one vector's lane of arithmetic where it is out of view; in view, about ten vectors and two for each
 /// row of clusters that it may touch. Nothing is tested again while view and light stay the same.
-/// Memory: 112 bytes a light, 32 bytes a light and row of clusters that it is in, 4 bytes an entry, 8 bytes a cluster.
+/// Memory: 112 bytes a light, 48 bytes a light and row of clusters that it is in, 4 bytes an entry, 32 bytes a cluster.
 ///
 /// Different objects may be used on different threads at once.
 class LightClusters {
@@ -88,8 +88,8 @@ class LightClusters {
 
   /// Sets the number of lights; new lights have a range of 0.
   ///
-  /// count   at most (2^32 - 1) / (columns * rows * slices), so that every list can be indexed
-  ///         (1,242,756 in the default grid)
+  /// count   at most (2^31 - 2^20) / (columns * rows * slices), so that the table can be indexed
+  ///         (621,074 in the default grid)
   /// throws  std::invalid_argument naming field, value and rule
   void resize(std::size_t count);
   std::size_t size() const;
@@ -103,7 +103,7 @@ class LightClusters {
   /// where the view has changed, otherwise the changed ones and their neighbours in the order of indices. Allocates
   /// only for more than it has ever held.
   ///
-  /// returns  whether clusters() or light_list() have changed; true the first time
+  /// returns  whether table() has changed; true the first time
   /// throws   std::invalid_argument naming field, value and rule
   bool update(const View& view);
 
@@ -111,6 +111,20 @@ class LightClusters {
   /// eye. Valid until the next update, as is the light list.
   std::span<const Cluster> clusters() const;
   std::span<const std::uint32_t> light_list() const;
+
+  /// The lights that can light any point of a ray from the eye that ends in a cluster, in the order of the slices in
+  /// which they begin to, and of their indices. The ray's part before the view's nearest depth does not count. Valid
+  /// until the next update.
+  ///
+  /// cluster  below the number of clusters
+  /// throws   std::invalid_argument naming field, value and rule
+  std::span<const std::uint32_t> lights_along(std::size_t cluster) const;
+
+  /// All of this as litfog/shaders/light_clusters.glsl reads it. Valid until the next update.
+  ///   5 words  columns, rows, slices, and the bits of slice_scale and slice_bias
+  ///   4 words for each cluster: where its lights begin in the table, their number, and the same for lights_along()
+  ///   the lists
+  std::span<const std::uint32_t> table() const;
 
   /// The look-up for the view of the last update.
   ClusterLookup lookup() const;

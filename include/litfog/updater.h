@@ -6,10 +6,13 @@
 #include <memory>
 #include <span>
 
+#include "litfog/airlight.h"
+#include "litfog/atmosphere.h"
 #include "litfog/fog.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/intensity_bound.h"  // for callers: lights are skipped by this bound
 #include "litfog/light.h"
+#include "litfog/light_clusters.h"
 
 namespace litfog {
 
@@ -47,6 +50,9 @@ struct FogUpdateStatistics {
 
 /// Default skip budget, in 1/255: half a step of an 8-bit picture.
 inline constexpr double kDefaultSkipBudget255 = 0.5;
+
+/// Default step that all lights together stay below where they are left out: half a step of an 8-bit picture.
+inline constexpr double kDefaultReachStep = kDefaultSkipBudget255 / 255;
 
 /// Keeps the lights of a scene as the shaders' tables (litfog/fog_light_block.h), which follow every change of the
 /// visibility at a cost for each kind of light, not for each light.
@@ -123,6 +129,23 @@ class FogUpdater {
   ///
   /// throws  std::invalid_argument if the handle is of no light held
   std::size_t kind_of(FogLightHandle handle) const;
+
+  /// The range of a kind's lights beyond which all lights together add less than a step to surfaces and airlight:
+  /// light_reach() in the thinnest fog, by reach_budget() for the kind's brightest light. Not for litfog_light_fog(),
+  /// which has no range.
+  ///
+  /// kind     below the number of kinds
+  /// returns  metres, [0, extent]; 0 where no light of the kind is on
+  /// throws   std::invalid_argument naming field, value and rule
+  double reach_of_kind(std::size_t kind, const Atmosphere& atmosphere, double step = kDefaultReachStep,
+                       LampLeg lamp_leg = LampLeg::fogged) const;
+
+  /// Gives clusters the bounds of all instances, by their indices, each within the reach of its kind; lights that are
+  /// off have a range of 0. Once a frame, before LightClusters::update().
+  ///
+  /// throws  std::invalid_argument naming field, value and rule
+  void bound_lights(LightClusters& clusters, const Atmosphere& atmosphere, double step = kDefaultReachStep,
+                    LampLeg lamp_leg = LampLeg::fogged) const;
 
   const FogUpdateStatistics& statistics() const;
 

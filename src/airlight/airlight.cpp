@@ -193,6 +193,16 @@ double light_reach(const Light& light, const Fog& fog, double budget, LampLeg la
   return high;
 }
 
+double reach_budget(double step, std::size_t lights, double brightness, const Atmosphere& atmosphere) {
+  if (!(step > 0 && is_finite_and_not_negative(step))) require(ValueError{"step", step, "must be finite and > 0"});
+  if (!is_finite_and_not_negative(brightness)) {
+    require(ValueError{"brightness", brightness, "must be finite and >= 0"});
+  }
+  require(find_error(atmosphere));
+  const double most = 1 + airlight_unit(atmosphere) * largest_phase(atmosphere.phase);
+  return std::clamp(step / most / double(lights) / brightness, std::numeric_limits<double>::min(), 0.5);
+}
+
 double axial_airlight(const Attenuation& attenuation, const Fog& fog, double threshold) {
   require(find_error(attenuation));
   require(find_error(fog));

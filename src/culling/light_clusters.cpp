@@ -2,11 +2,11 @@
 #include "litfog/light_clusters.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
-#include <limits>
 #include <utility>
 #include <vector>
 
@@ -16,11 +16,12 @@
 namespace litfog {
 namespace {
 
+constexpr std::size_t kHeaderWords = 5;
+constexpr std::size_t kClusterWords = 4;
+
 template <typename Visit>
-void for_each_cluster(const ClusterRun& run, std::size_t columns, const Visit& visit) {
-  for (std::uint64_t rest = run.columns; rest != 0; rest &= rest - 1) {
-    visit(run.row * columns + std::size_t(std::countr_zero(rest)));
-  }
+void for_each_column(const ClusterRun& run, const Visit& visit) {
+  for (std::uint64_t rest = run.columns; rest != 0; rest &= rest - 1) visit(std::size_t(std::countr_zero(rest)));
 }
 
 /// Binary logarithm of the factor by which slices from the second on grow.
@@ -54,6 +55,9 @@ class LightClusters::Store {
   explicit Store(const ClusterGrid& grid) : grid_(grid) {
     require(find_error(grid));
     clusters_.resize(std::size_t(grid.columns) * grid.rows * grid.slices);
+    begins_.resize(clusters_.size());
+    table_.resize(kHeaderWords + kClusterWords * clusters_.size());
+    table_size_ = table_.size();
   }
 
   const ClusterGrid& grid() const { return grid_; }
@@ -62,7 +66,9 @@ class LightClusters::Store {
   void set_light(std::size_t light, const LightBounds& bounds);
   bool update(const View& view);
   std::span<const Cluster> clusters() const { return clusters_; }
-  std::span<const std::uint32_t> light_list() const { return std::span(list_).first(statistics_.entries); }
+  std::span<const std::uint32_t> light_list() const { return lists().first(statistics_.entries); }
+  std::span<const std::uint32_t> lights_along(std::size_t cluster) const;
+  std::span<const std::uint32_t> table() const { return std::span(table_).first(table_size_); }
   ClusterLookup lookup() const;
   std::optional<std::size_t> cluster_at(const glm::dvec3& point) const;
   View part_of_view(std::size_t cluster) const;
@@ -78,7 +84,17 @@ class LightClusters::Store {
   };
 
   void find_runs(bool is_new_view);
+  void find_first_runs();
   void list_lights();
+  bool write_lookup();
+  std::span<const std::uint32_t> lists() const {
+    return std::span(table_).subspan(kHeaderWords + kClusterWords * clusters_.size());
+  }
+  void require_cluster(std::size_t cluster) const {
+    if (cluster >= clusters_.size()) {
+      require(ValueError{"cluster", double(cluster), "must be below the number of clusters"});
+    }
+  }
 
   ClusterGrid grid_;
   View view_;
@@ -89,14 +105,17 @@ class LightClusters::Store {
   std::vector<Block> blocks_;
   std::vector<ClusterRun> runs_;  // in the order of their lights
   std::vector<ClusterRun> previous_runs_;
+  std::vector<ClusterRun> first_runs_;  // where each light begins, in each tile of the picture
   std::vector<Cluster> clusters_;
-  std::vector<std::uint32_t> list_;  // grows only
+  std::vector<Cluster> begins_;       // the lights that begin in a cluster: tile by tile, slices from the eye
+  std::vector<std::uint32_t> table_;  // grows only; ends with the light list and that of lights_along()
+  std::size_t table_size_;
   ClusterStatistics statistics_;
 };
 
 void LightClusters::Store::resize(std::size_t count) {
-  const std::size_t most = std::numeric_limits<std::uint32_t>::max() / clusters_.size();
-  if (count > most) fail_count("count", count, "must be at most (2^32 - 1) / clusters");
+  const std::size_t most = ((1u << 31) - (1u << 20)) / clusters_.size();
+  if (count > most) fail_count("count", count, "must be at most (2^31 - 2^20) / clusters");
   if (count == bounds_.size()) return;
   const std::size_t before = bounds_.size();
   const std::size_t first_changed = std::min(count, before) / kLightBlock;
@@ -141,8 +160,8 @@ bool LightClusters::Store::update(const View& view) {
   has_changed_ = false;
   find_runs(is_new_view);
   const bool are_same = runs_ == previous_runs_;
-  if (!are_same) list_lights();
-  return is_first || !are_same;
+  if (!are_same || is_first) list_lights();
+  return write_lookup() || is_first || !are_same;
 }
 
 void LightClusters::Store::find_runs(bool is_new_view) {
@@ -167,25 +186,83 @@ void LightClusters::Store::find_runs(bool is_new_view) {
   }
 }
 
-/// Sorts the runs' lights by cluster, by counting.
+/// Keeps of each light's runs, which lie slice by slice from the eye, the columns in which it was in no slice before.
+void LightClusters::Store::find_first_runs() {
+  first_runs_.clear();
+  std::array<std::uint64_t, kMaxParts> columns{};
+  for (std::size_t i = 0; i < runs_.size(); ++i) {
+    ClusterRun run = runs_[i];
+    if (i == 0 || run.light != runs_[i - 1].light) std::fill_n(columns.begin(), grid_.rows, 0);
+    std::uint64_t& before = columns[run.row % grid_.rows];
+    run.columns &= ~before;
+    before |= run.columns;
+    if (run.columns != 0) first_runs_.push_back(run);
+  }
+}
+
+/// Sorts the runs' lights by cluster, by counting: all for the light list, the first ones for lights_along().
 void LightClusters::Store::list_lights() {
+  find_first_runs();
+  const auto for_each_begin = [this](const ClusterRun& run, const auto& visit) {
+    const std::size_t tile = std::size_t(run.row % grid_.rows) * grid_.columns;
+    const std::size_t slice = run.row / grid_.rows;
+    for_each_column(run, [&](std::size_t column) { visit(begins_[(tile + column) * grid_.slices + slice]); });
+  };
+  const auto for_each_cluster = [this](const ClusterRun& run, const auto& visit) {
+    const std::size_t row = std::size_t(run.row) * grid_.columns;
+    for_each_column(run, [&](std::size_t column) { visit(clusters_[row + column]); });
+  };
   std::ranges::fill(clusters_, Cluster{});
+  std::ranges::fill(begins_, Cluster{});
+  for (const ClusterRun& run : runs_) for_each_cluster(run, [](Cluster& list) { ++list.count; });
+  for (const ClusterRun& run : first_runs_) for_each_begin(run, [](Cluster& list) { ++list.count; });
+  const auto make_room = [](std::vector<Cluster>& lists) {
+    std::uint32_t entries = 0;
+    for (Cluster& list : lists) {
+      list.first = entries;
+      entries += std::exchange(list.count, 0);
+    }
+    return entries;
+  };
+  statistics_.entries = make_room(clusters_);
+  const auto start = std::uint32_t(kHeaderWords + kClusterWords * clusters_.size());
+  const auto along_start = std::uint32_t(start + statistics_.entries);
+  table_size_ = along_start + make_room(begins_);
+  if (table_.size() < table_size_) table_.resize(table_size_);
   for (const ClusterRun& run : runs_) {
-    for_each_cluster(run, grid_.columns, [&](std::size_t cluster) { ++clusters_[cluster].count; });
+    for_each_cluster(run, [&](Cluster& list) { table_[start + list.first + list.count++] = run.light; });
   }
-  std::uint32_t entries = 0;
-  for (Cluster& cluster : clusters_) {
-    cluster.first = entries;
-    entries += std::exchange(cluster.count, 0);
+  for (const ClusterRun& run : first_runs_) {
+    for_each_begin(run, [&](Cluster& list) { table_[along_start + list.first + list.count++] = run.light; });
   }
-  if (list_.size() < entries) list_.resize(entries);
-  statistics_.entries = entries;
-  for (const ClusterRun& run : runs_) {
-    for_each_cluster(run, grid_.columns, [&](std::size_t index) {
-      Cluster& cluster = clusters_[index];
-      list_[cluster.first + cluster.count++] = run.light;
-    });
+  const std::size_t tiles = begins_.size() / grid_.slices;
+  std::uint32_t* words = table_.data() + kHeaderWords;
+  for (std::size_t cluster = 0, slice = 0; slice < grid_.slices; ++slice) {
+    for (std::size_t tile = 0; tile < tiles; ++tile, ++cluster, words += kClusterWords) {
+      const Cluster* along = &begins_[tile * grid_.slices];
+      words[0] = start + clusters_[cluster].first;
+      words[1] = clusters_[cluster].count;
+      words[2] = along_start + along->first;
+      words[3] = along[slice].first + along[slice].count - along->first;
+    }
   }
+}
+
+/// Whether it has changed.
+bool LightClusters::Store::write_lookup() {
+  const ClusterLookup found = lookup();
+  const std::array<std::uint32_t, kHeaderWords> words{grid_.columns, grid_.rows, grid_.slices,
+                                                      std::bit_cast<std::uint32_t>(found.slice_scale),
+                                                      std::bit_cast<std::uint32_t>(found.slice_bias)};
+  const bool has_changed = !std::ranges::equal(words, std::span(table_).first(kHeaderWords));
+  std::ranges::copy(words, table_.begin());
+  return has_changed;
+}
+
+std::span<const std::uint32_t> LightClusters::Store::lights_along(std::size_t cluster) const {
+  require_cluster(cluster);
+  const std::uint32_t* words = table_.data() + kHeaderWords + kClusterWords * cluster;
+  return std::span(table_).subspan(words[2], words[3]);
 }
 
 ClusterLookup LightClusters::Store::lookup() const {
@@ -212,9 +289,7 @@ std::optional<std::size_t> LightClusters::Store::cluster_at(const glm::dvec3& po
 }
 
 View LightClusters::Store::part_of_view(std::size_t cluster) const {
-  if (cluster >= clusters_.size()) {
-    require(ValueError{"cluster", double(cluster), "must be below the number of clusters"});
-  }
+  require_cluster(cluster);
   const std::size_t column = cluster % grid_.columns;
   const std::size_t row = cluster / grid_.columns % grid_.rows;
   const auto slice = std::uint32_t(cluster / grid_.columns / grid_.rows);
@@ -243,6 +318,10 @@ void LightClusters::set_light(std::size_t light, const LightBounds& bounds) { st
 bool LightClusters::update(const View& view) { return store_->update(view); }
 std::span<const Cluster> LightClusters::clusters() const { return store_->clusters(); }
 std::span<const std::uint32_t> LightClusters::light_list() const { return store_->light_list(); }
+std::span<const std::uint32_t> LightClusters::lights_along(std::size_t cluster) const {
+  return store_->lights_along(cluster);
+}
+std::span<const std::uint32_t> LightClusters::table() const { return store_->table(); }
 ClusterLookup LightClusters::lookup() const { return store_->lookup(); }
 std::optional<std::size_t> LightClusters::cluster_at(const glm::dvec3& point) const {
   return store_->cluster_at(point);

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <functional>
+#include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
 #include <unordered_map>
@@ -58,6 +59,7 @@ struct Kind {
   Attenuation attenuation;
   double threshold;
   double density_scale;
+  double half_angle;
   IntensityBound bound;
   std::size_t lit_count = 0;  ///< lights that are on and not black
   float brightest = 0;        ///< the first light's brightness: fetching that light takes longer than solving the kind
@@ -147,6 +149,8 @@ class FogUpdater::Store {
   std::span<const FogLightInstance> instances() const { return instances_; }
   std::uint32_t slot_of(FogLightHandle handle) const;
   std::uint32_t kind_of(FogLightHandle handle) const { return records_[slot_of(handle)].kind; }
+  double reach_of_kind(std::size_t kind, const Atmosphere& atmosphere, double step, LampLeg lamp_leg) const;
+  void bound_lights(LightClusters& clusters, const Atmosphere& atmosphere, double step, LampLeg lamp_leg) const;
   const FogUpdateStatistics& statistics() const { return statistics_; }
 
  private:
@@ -317,6 +321,7 @@ std::uint32_t FogUpdater::Store::find_or_add_kind(const PlacedLight& placed) {
   Kind kind{.attenuation = light.attenuation,
             .threshold = light.threshold,
             .density_scale = light.density_scale,
+            .half_angle = cutoff_angle(light.cone),
             .bound = {light.attenuation, light.threshold},
             .is_carried = placed.carried,
             .key = key};
@@ -446,6 +451,34 @@ void FogUpdater::Store::sift(Kind& kind, std::size_t index) {
   kind.brightest = brightness_at(0);
 }
 
+double FogUpdater::Store::reach_of_kind(std::size_t kind, const Atmosphere& atmosphere, double step,
+                                        LampLeg lamp_leg) const {
+  if (kind >= kinds_.size()) require(ValueError{"kind", double(kind), "must be below the number of kinds"});
+  const Kind& held = kinds_[kind];
+  const double budget = reach_budget(step, light_count_, held.brightest, atmosphere);
+  if (held.lit_count == 0) return 0;
+  const Light light{.attenuation = held.attenuation, .threshold = held.threshold, .density_scale = held.density_scale};
+  return light_reach(light, atmosphere.thinnest_fog(), budget, lamp_leg);
+}
+
+void FogUpdater::Store::bound_lights(LightClusters& clusters, const Atmosphere& atmosphere, double step,
+                                     LampLeg lamp_leg) const {
+  std::vector<double> reaches;
+  for (std::size_t i = 0; i < kinds_.size(); ++i) reaches.push_back(reach_of_kind(i, atmosphere, step, lamp_leg));
+  clusters.resize(instances_.size());
+  for (std::size_t i = 0; i < instances_.size(); ++i) {
+    const Record& record = records_[i];
+    if (!record.is_held || record.brightness == 0) {
+      clusters.set_light(i, {.range = 0});
+      continue;
+    }
+    clusters.set_light(i, {.position = glm::dvec3(instances_[i].position_kind),
+                           .direction = glm::normalize(glm::dvec3(instances_[i].axis_profile)),
+                           .range = reaches[record.kind],
+                           .half_angle = kinds_[record.kind].half_angle});
+  }
+}
+
 bool FogUpdater::Store::is_below_budget(const Kind& kind, const Fog& seen_fog) const {
   return kind.bound.at(seen_fog) * kind.brightest < skip_budget_;
 }
@@ -488,6 +521,13 @@ std::span<const FogLightKind> FogUpdater::kinds() const { return store_->kinds()
 std::span<const FogLightInstance> FogUpdater::instances() const { return store_->instances(); }
 std::size_t FogUpdater::instance_of(FogLightHandle handle) const { return store_->slot_of(handle); }
 std::size_t FogUpdater::kind_of(FogLightHandle handle) const { return store_->kind_of(handle); }
+double FogUpdater::reach_of_kind(std::size_t kind, const Atmosphere& atmosphere, double step, LampLeg lamp_leg) const {
+  return store_->reach_of_kind(kind, atmosphere, step, lamp_leg);
+}
+void FogUpdater::bound_lights(LightClusters& clusters, const Atmosphere& atmosphere, double step,
+                              LampLeg lamp_leg) const {
+  store_->bound_lights(clusters, atmosphere, step, lamp_leg);
+}
 const FogUpdateStatistics& FogUpdater::statistics() const { return store_->statistics(); }
 
 }  // namespace litfog

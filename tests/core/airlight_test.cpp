@@ -1029,6 +1029,48 @@ TEST(LightReach, NothingBeyondTheReachShowsTheBudget) {
   }
 }
 
+TEST(LightReach, LightsBeyondTheirReachesAddLessThanTheStep) {
+  Random random(74);
+  int cut = 0;
+  double largest = 0;
+  for (int i = 0; i < 3000; ++i) {
+    AirlightCase c = draw_airlight_case(random, random.pick(kModes), LampLeg::fogged);
+    const double step = random.log_uniform(1e-4, 0.1);
+    const double brightness = random.log_uniform(0.1, 1e5);
+    const auto lights = std::size_t(random.log_uniform(1, 1e4));
+    const double budget = reach_budget(step, lights, brightness, c.atmosphere);
+    const double reach = light_reach(c.light.light, c.atmosphere.fog, budget, c.lamp_leg);
+    const double whole = reference_of(c);
+    const double at_end = glm::distance(c.ray.origin + c.ray.length * c.ray.direction, c.light.position);
+    double surface = 0;
+    if (at_end > reach && at_end <= compute_extent(c.light.light.attenuation, c.light.light.threshold)) {
+      surface = attenuation_at(c.light.light.attenuation, at_end) * fog_factor_at(c.atmosphere.fog, at_end);
+    }
+    AirlightCase near = c;
+    near.light.light.threshold = attenuation_at(c.light.light.attenuation, reach);
+    if (!(near.light.light.threshold > 0 && near.light.light.threshold < 1)) continue;
+    const double cut_at = compute_extent(near.light.light.attenuation, near.light.light.threshold);
+    if (!(cut_at <= reach * (1 + 1e-9) && cut_at >= reach * (1 - 1e-9))) continue;
+    const double beyond = whole - reference_of(near);
+    cut += beyond > 1e-9 * whole || surface > 0;
+    const double added =
+        double(lights) * brightness * (airlight_unit(c.atmosphere) * (beyond - 2e-10 * whole) + surface);
+    largest = std::max(largest, added / step);
+    ASSERT_LT(added, step) << to_string(c);
+  }
+  std::printf("%d lights cut, up to %.2g of the step added\n", cut, largest);
+  EXPECT_GT(cut, 20);
+}
+
+TEST(LightReach, BudgetHasItsLimits) {
+  EXPECT_EQ(reach_budget(0.1, 0, 1, {}), 0.5);
+  EXPECT_EQ(reach_budget(0.1, 1, 0, {}), 0.5);
+  EXPECT_EQ(reach_budget(0.1, 1, 1, {}), 0.08) << "a quarter for isotropic fog";
+  EXPECT_EQ(error_of([] { reach_budget(0, 1, 1, {}); }), "step = 0: must be finite and > 0");
+  EXPECT_EQ(error_of([] { reach_budget(1, 1, -1, {}); }), "brightness = -1: must be finite and >= 0");
+  EXPECT_EQ(error_of([] { reach_budget(1, 1, 1, {.albedo = 2}); }), "albedo = 2: must be in [0, 1]");
+}
+
 TEST(LightReach, ReachHasItsLimits) {
   Light light;
   light.attenuation = {1, 0, 0};

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
@@ -28,6 +29,12 @@ constexpr double kPi = std::numbers::pi;
 std::span<const std::uint32_t> lights_of(const LightClusters& clusters, std::size_t cluster) {
   const Cluster& list = clusters.clusters()[cluster];
   return clusters.light_list().subspan(list.first, list.count);
+}
+
+/// A list of table(), by the words of a cluster from `word` on.
+std::span<const std::uint32_t> list_of_table(const LightClusters& clusters, std::size_t cluster, std::size_t word) {
+  const auto words = clusters.table().subspan(5 + 4 * cluster + word, 2);
+  return clusters.table().subspan(words[0], words[1]);
 }
 
 bool has_light(const LightClusters& clusters, std::size_t cluster, std::size_t light) {
@@ -105,6 +112,45 @@ TEST(LightClusters, NoLightIsMissingWhereItLightsAPoint) {
     for (int i = 0; i < 150 && !testing::Test::HasFailure(); ++i) points += expect_complete(random, draw_view(random));
     EXPECT_GT(points, 50000);
   });
+}
+
+TEST(LightClusters, LightsAlongARayAreThoseOfTheClustersThatItPasses) {
+  Random random(79);
+  std::size_t listed = 0;
+  for (int i = 0; i < 30; ++i) {
+    const View view = draw_view(random);
+    LightClusters clusters(draw_grid(random, view));
+    EXPECT_EQ(clusters.lights_along(0).size(), 0u);
+    std::vector<LightBounds> lights;
+    for (int k = 0; k < 100; ++k) lights.push_back(draw_bounds(random, view));
+    set_lights(clusters, lights);
+    clusters.update(view);
+    const std::size_t tiles = std::size_t(clusters.grid().columns) * clusters.grid().rows;
+    for (std::size_t tile = 0; tile < tiles; ++tile) {
+      std::vector<std::uint32_t> expected;
+      for (std::size_t cluster = tile; cluster < clusters.clusters().size(); cluster += tiles) {
+        for (const std::uint32_t light : lights_of(clusters, cluster)) {
+          if (std::ranges::find(expected, light) == expected.end()) expected.push_back(light);
+        }
+        ASSERT_TRUE(std::ranges::equal(clusters.lights_along(cluster), expected)) << cluster;
+        ASSERT_TRUE(std::ranges::equal(list_of_table(clusters, cluster, 0), lights_of(clusters, cluster))) << cluster;
+        ASSERT_TRUE(std::ranges::equal(list_of_table(clusters, cluster, 2), expected)) << cluster;
+      }
+      listed += expected.size();
+    }
+  }
+  EXPECT_GT(listed, 10000u);
+}
+
+TEST(LightClusters, TableChangesWithTheLookUpAlone) {
+  LightClusters clusters;
+  View view;
+  clusters.update(view);
+  EXPECT_FALSE(clusters.update(view));
+  view.farthest /= 2;
+  EXPECT_TRUE(clusters.update(view));
+  const float bias = clusters.lookup().slice_bias;
+  EXPECT_EQ(clusters.table()[4], std::bit_cast<std::uint32_t>(bias));
 }
 
 TEST(LightClusters, NoLightIsMissingInTheSmallestViews) {
@@ -522,9 +568,9 @@ TEST(LightClusters, WrongValueIsAnErrorAndChangesNothing) {
   set_lights(clusters, city.lights);
   clusters.update(city.view);
   const Lists before(clusters);
-  EXPECT_EQ(error_of([&] { clusters.resize(1'242'757); }), "count = 1242757: must be at most (2^32 - 1) / clusters");
+  EXPECT_EQ(error_of([&] { clusters.resize(621'075); }), "count = 621075: must be at most (2^31 - 2^20) / clusters");
   EXPECT_EQ(error_of([&] { clusters.resize(std::numeric_limits<std::size_t>::max()); }),
-            "count = 18446744073709551615: must be at most (2^32 - 1) / clusters");
+            "count = 18446744073709551615: must be at most (2^31 - 2^20) / clusters");
   EXPECT_EQ(error_of([&] { clusters.set_light(10, {}); }), "light = 10: must be below the number of lights");
   const std::size_t count = clusters.clusters().size();
   EXPECT_EQ(error_of([&] { (void)clusters.part_of_view(count); }),

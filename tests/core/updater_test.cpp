@@ -730,6 +730,49 @@ TEST(FogUpdater, LightKeepsItsInstanceUntilItIsRemoved) {
   EXPECT_EQ(updater.instance_of(updater.add(carried_light())), 1u);
 }
 
+TEST(FogUpdater, BoundsAreThoseOfEachLightAndFollowTheFog) {
+  FogUpdater updater;
+  PlacedLight spot = carried_light({1, 0, 0.0001}, {3, 2, 1});
+  spot.light.threshold = 1e-6;
+  spot.light.cone = Cone::smoothstep(0.1, 0.4);
+  spot.direction = {0.6, 0, -0.8};
+  PlacedLight lamp = carried_light({1, 0, 1e-4});
+  lamp.light.threshold = 1e-6;
+  lamp.position = {10, 5, -200};
+  lamp.light.density_scale = 0.5;
+  PlacedLight flashing = lamp;  // dark at 0 s
+  flashing.light.flash = {.period = 2, .count = 1};
+  flashing.light.flash.flashes[0] = {.start = 1, .duration = 0.1};
+  const PlacedLight placed[] = {spot, lamp, lamp, lamp, flashing};
+  std::vector<FogLightHandle> handles;
+  for (const PlacedLight& light : placed) handles.push_back(updater.add(light));
+  updater.remove(handles[2]);
+  updater.switch_light(handles[3], false);
+  updater.set_time(0);
+  LightClusters clusters;
+  for (const double density : {0.1, 0.01, 0.0}) {
+    const Atmosphere air{.fog = {FogMode::exp, density}, .phase = Phase::droplets(10)};
+    updater.bound_lights(clusters, air, 0.01);
+    clusters.update({});
+    LightClusters expected;
+    expected.resize(5);
+    for (const std::size_t i : {0u, 1u, 4u}) {
+      const double budget = reach_budget(0.01, 4, i == 0 ? 3 : 1, air);
+      const double reach = light_reach(placed[i].light, air.fog, budget);
+      EXPECT_EQ(updater.reach_of_kind(updater.kind_of(handles[i]), air, 0.01), reach);
+      expected.set_light(i, bounds_of(placed[i], reach));
+    }
+    expected.update({});
+    EXPECT_TRUE(std::ranges::equal(clusters.table(), expected.table())) << density;
+    EXPECT_GT(clusters.light_list().size(), 0u);
+  }
+  const Atmosphere air;
+  EXPECT_EQ(error_of([&] { (void)updater.reach_of_kind(2, air); }), "kind = 2: must be below the number of kinds");
+  EXPECT_EQ(error_of([&] { updater.bound_lights(clusters, air, 0); }), "step = 0: must be finite and > 0");
+  updater.switch_light(handles[0], false);
+  EXPECT_EQ(updater.reach_of_kind(updater.kind_of(handles[0]), air), 0);
+}
+
 TEST(FogUpdater, WrongArgumentIsAnErrorAndChangesNothing) {
   EXPECT_EQ(error_of([] { FogUpdater(-1); }), "skip_budget_255 = -1: must be finite and >= 0");
   EXPECT_EQ(error_of([] { FogUpdater(std::nan("")); }), "skip_budget_255 = nan: must be finite and >= 0");
