@@ -11,22 +11,13 @@
 
 using namespace litfog;
 
-namespace {
-
-LampLeg lamp_leg(int32_t leg) {
-  c::require_enumerator(leg, 2, "lamp_leg");
-  return LampLeg(leg);
-}
-
-}  // namespace
-
 litfog_status litfog_airlight(const litfog_placed_light* light, const litfog_atmosphere* atmosphere,
                               const litfog_eye_ray* rays, size_t count, int32_t leg, double* airlights) {
   return c::call([&] {
     const std::span<const litfog_eye_ray> from = c::array(rays, count, "rays");
     const std::span<double> results = c::array(airlights, count, "airlights");
     c::expect_apart(std::array{c::Column(results, "airlights")}, std::array{c::Column(from, "rays")});
-    airlight(c::placed_light(light), c::atmosphere(atmosphere), c::view_as_cpp(from), lamp_leg(leg), results);
+    airlight(c::placed_light(light), c::atmosphere(atmosphere), c::view_as_cpp(from), c::lamp_leg(leg), results);
   });
 }
 
@@ -36,7 +27,12 @@ litfog_status litfog_axial_airlight(const litfog_light* light, const litfog_fog*
 
 litfog_status litfog_light_reach(const litfog_light* light, const litfog_fog* fog, double budget, int32_t leg,
                                  double* range) {
-  return c::call([&] { c::at(range, "range") = light_reach(c::light(light), c::fog(fog), budget, lamp_leg(leg)); });
+  return c::call([&] { c::at(range, "range") = light_reach(c::light(light), c::fog(fog), budget, c::lamp_leg(leg)); });
+}
+
+litfog_status litfog_reach_budget(double step, size_t lights, double brightness, const litfog_atmosphere* atmosphere,
+                                  double* budget) {
+  return c::call([&] { c::at(budget, "budget") = reach_budget(step, lights, brightness, c::atmosphere(atmosphere)); });
 }
 
 litfog_status litfog_make_scattering_table(const litfog_atmosphere* atmosphere, litfog_scattering_table* table) {

@@ -20,6 +20,11 @@ FogMode fog_mode(std::int32_t mode) {
   return FogMode(mode);
 }
 
+LampLeg lamp_leg(std::int32_t leg) {
+  require_enumerator(leg, 2, "lamp_leg");
+  return LampLeg(leg);
+}
+
 Fog fog(const litfog_fog* fog) {
   fog_mode(at(fog, "fog").mode);
   return to_cpp(*fog);

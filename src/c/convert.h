@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <glm/vec3.hpp>
 
+#include "litfog/airlight.h"
 #include "litfog/atmosphere.h"
 #include "litfog/c/litfog.h"
 #include "litfog/light.h"
@@ -21,6 +22,7 @@ namespace litfog::c {
 void require_enumerator(std::int32_t value, int count, const char* name);
 
 FogMode fog_mode(std::int32_t mode);
+LampLeg lamp_leg(std::int32_t leg);
 Fog fog(const litfog_fog* fog);
 Atmosphere atmosphere(const litfog_atmosphere* atmosphere);
 Light light(const litfog_light* light);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "c/call.h"
 #include "c/convert.h"
+#include "c/handles.h"
 #include "c/layout.h"
 #include "litfog/light_bounds.h"
 #include "litfog/light_clusters.h"
@@ -11,10 +12,6 @@ using namespace litfog;
 
 struct litfog_view_frustum {
   ViewFrustum frustum;
-};
-
-struct litfog_light_clusters {
-  LightClusters clusters;
 };
 
 namespace {
@@ -82,6 +79,23 @@ litfog_status litfog_light_clusters_set_light(litfog_light_clusters* clusters, s
   return c::call([&] { clusters_of(clusters).set_light(light, bounds_of(bounds)); });
 }
 
+litfog_status litfog_updater_bound_lights(const litfog_updater* updater, litfog_light_clusters* clusters,
+                                          const litfog_atmosphere* atmosphere, double step, int32_t lamp_leg) {
+  return c::call([&] {
+    const FogUpdater& from = c::at(updater, "updater").updater;
+    from.bound_lights(clusters_of(clusters), c::atmosphere(atmosphere), step, c::lamp_leg(lamp_leg));
+  });
+}
+
+litfog_status litfog_updater_reach_of_kind(const litfog_updater* updater, size_t kind,
+                                           const litfog_atmosphere* atmosphere, double step, int32_t lamp_leg,
+                                           double* range) {
+  return c::call([&] {
+    const FogUpdater& from = c::at(updater, "updater").updater;
+    c::at(range, "range") = from.reach_of_kind(kind, c::atmosphere(atmosphere), step, c::lamp_leg(lamp_leg));
+  });
+}
+
 litfog_status litfog_light_clusters_update(litfog_light_clusters* clusters, const litfog_view* view, int32_t* changed) {
   return c::call([&] {
     const bool has_changed = clusters_of(clusters).update(view_of(view));
@@ -98,6 +112,8 @@ litfog_status litfog_light_clusters_lists(const litfog_light_clusters* clusters,
                              .lights = from.light_list().data(),
                              .light_count = from.light_list().size(),
                              .slice_scale = lookup.slice_scale,
-                             .slice_bias = lookup.slice_bias};
+                             .slice_bias = lookup.slice_bias,
+                             .table = from.table().data(),
+                             .table_size = from.table().size()};
   });
 }

@@ -3,13 +3,10 @@
 
 #include "c/call.h"
 #include "c/convert.h"
+#include "c/handles.h"
 #include "c/layout.h"
 
 using namespace litfog;
-
-struct litfog_updater {
-  FogUpdater updater;
-};
 
 namespace {
 

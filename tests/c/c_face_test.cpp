@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstring>
 #include <filesystem>
@@ -21,6 +22,7 @@
 #include "litfog/c/litfog.h"
 #include "litfog/files/light_file.h"
 #include "litfog/fog_light_block.h"
+#include "litfog/light_clusters.h"
 #include "litfog/multiple_scattering.h"
 #include "litfog/runway_visual_range.h"
 #include "litfog/solve.h"
@@ -393,6 +395,28 @@ TEST_F(CFace, UpdatersTablesAreThoseOfCpp) {
     EXPECT_EQ(std::memcmp(tables.kinds, cpp.kinds().data(), cpp.kinds().size_bytes()), 0);
     ASSERT_EQ(tables.instance_count, cpp.instances().size());
     EXPECT_EQ(std::memcmp(tables.instances, cpp.instances().data(), cpp.instances().size_bytes()), 0);
+
+    LightClusters expected_clusters;
+    cpp.bound_lights(expected_clusters, {.fog = {FogMode::exp, density}}, 0.01, LampLeg::clear);
+    expected_clusters.update({});
+    litfog_light_clusters* clusters = nullptr;
+    ASSERT_EQ(litfog_light_clusters_create(nullptr, &clusters), LITFOG_OK);
+    litfog_atmosphere air = air_;
+    air.fog = fog;
+    ASSERT_EQ(litfog_updater_bound_lights(c, clusters, &air, 0.01, LITFOG_LAMP_LEG_CLEAR), LITFOG_OK)
+        << litfog_last_error();
+    litfog_view view;
+    ASSERT_EQ(litfog_default_view(&view), LITFOG_OK);
+    ASSERT_EQ(litfog_light_clusters_update(clusters, &view, nullptr), LITFOG_OK);
+    litfog_cluster_lists lists;
+    ASSERT_EQ(litfog_light_clusters_lists(clusters, &lists), LITFOG_OK);
+    EXPECT_TRUE(std::ranges::equal(std::span(lists.table, lists.table_size), expected_clusters.table()));
+    double range, budget;
+    ASSERT_EQ(litfog_updater_reach_of_kind(c, 3, &air, 0.01, LITFOG_LAMP_LEG_FOGGED, &range), LITFOG_OK);
+    EXPECT_EQ(range, cpp.reach_of_kind(3, {.fog = {FogMode::exp, density}}, 0.01));
+    ASSERT_EQ(litfog_reach_budget(0.01, 7, 2, &air, &budget), LITFOG_OK);
+    EXPECT_EQ(budget, reach_budget(0.01, 7, 2, {}));
+    litfog_light_clusters_destroy(clusters);
   }
   litfog_updater_destroy(c);
 }
@@ -444,6 +468,8 @@ TEST_F(CFace, NullIsRefusedByName) {
       {"updater", [&] { return litfog_updater_set_fog(updater, &fog_, &changes); }},
       {"frustum", [&] { return litfog_view_frustum_can_see_ball(nullptr, &x, 1, &can); }},
       {"clusters", [&] { return litfog_light_clusters_resize(nullptr, 1); }},
+      {"updater", [&] { return litfog_updater_bound_lights(nullptr, nullptr, &air_, 1, LITFOG_LAMP_LEG_FOGGED); }},
+      {"budget", [&] { return litfog_reach_budget(1, 1, 1, &air_, nullptr); }},
       {"path", [&] { return litfog_read_light(nullptr, &light.light, nullptr, 0); }},
       {"name", [&] { return litfog_read_light("x", &light.light, nullptr, 8); }},
       {"texts", [&] { return litfog_shader_texts(nullptr, &count); }},

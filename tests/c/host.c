@@ -165,6 +165,21 @@ static void cull(void) {
   EXPECT(changed && lists.cluster_count == 8 && lists.light_count == 8 && lists.clusters[7].count == 1);
   EXPECT_OK(litfog_light_clusters_update(clusters, &view, &changed));
   EXPECT(!changed);
+
+  litfog_updater* updater;
+  litfog_light_handle handle;
+  const litfog_atmosphere air = {fog_of(1500), {{0, 0}, {0, 0}, 1}, 1, INFINITY, {0.1, 0.2, 0.3}, {{{0, 0}}, 0}};
+  double reach, budget;
+  EXPECT_OK(litfog_updater_create(LITFOG_DEFAULT_SKIP_BUDGET_255, &updater));
+  EXPECT_OK(litfog_updater_add(updater, &light, &handle));
+  EXPECT_OK(litfog_updater_bound_lights(updater, clusters, &air, 0.5 / 255, LITFOG_LAMP_LEG_FOGGED));
+  EXPECT_OK(litfog_updater_reach_of_kind(updater, 0, &air, 0.5 / 255, LITFOG_LAMP_LEG_FOGGED, &reach));
+  EXPECT_OK(litfog_reach_budget(0.5 / 255, 1, 1, &air, &budget));
+  EXPECT(reach > 100 && budget > 0);
+  EXPECT_OK(litfog_light_clusters_update(clusters, &view, &changed));
+  EXPECT_OK(litfog_light_clusters_lists(clusters, &lists));
+  EXPECT(lists.table[0] == 2 && lists.table[lists.table_size - 1] == 0);
+  litfog_updater_destroy(updater);
   litfog_light_clusters_destroy(clusters);
 }
 

@@ -361,6 +361,14 @@ LITFOG_API litfog_status litfog_axial_airlight(const litfog_light* light, const 
 LITFOG_API litfog_status litfog_light_reach(const litfog_light* light, const litfog_fog* fog, double budget,
                                             int32_t lamp_leg, double* range);
 
+/// The budget at which all that lights add beyond their reaches stays below a step of a picture.
+///
+/// step        linear light, finite, > 0
+/// brightness  the largest component of the light's colour
+/// budget      (0, 0.5]
+LITFOG_API litfog_status litfog_reach_budget(double step, size_t lights, double brightness,
+                                             const litfog_atmosphere* atmosphere, double* budget);
+
 // --- all orders of scattering (litfog/multiple_scattering.h) ---
 
 #define LITFOG_SCATTERING_DEPTHS 45
@@ -597,6 +605,8 @@ typedef struct litfog_cluster_lists {
   size_t light_count;
   float slice_scale;
   float slice_bias;
+  const uint32_t* table;  ///< all of this, and the lights along rays, for litfog/shaders/light_clusters.glsl
+  size_t table_size;      ///< words
 } litfog_cluster_lists;
 
 typedef struct litfog_light_clusters litfog_light_clusters;
@@ -608,11 +618,26 @@ LITFOG_API void litfog_light_clusters_destroy(litfog_light_clusters* clusters);
 
 /// Sets how many lights there are; new ones have a range of 0.
 ///
-/// count  at most (2^32 - 1) / (columns * rows * slices)
+/// count  at most (2^31 - 2^20) / (columns * rows * slices)
 LITFOG_API litfog_status litfog_light_clusters_resize(litfog_light_clusters* clusters, size_t count);
 /// light  below the number of lights
 LITFOG_API litfog_status litfog_light_clusters_set_light(litfog_light_clusters* clusters, size_t light,
                                                          const litfog_light_bounds* bounds);
+/// Gives clusters the bounds of all instances of an updater, by their indices, once a frame: beyond them all lights
+/// together add less than a step to surfaces and airlight. Those bounds follow the fog's changes.
+///
+/// step      linear light, finite, > 0; 0.5 / 255 is half a step of an 8-bit picture
+/// lamp_leg  LITFOG_LAMP_LEG_*
+LITFOG_API litfog_status litfog_updater_bound_lights(const litfog_updater* updater, litfog_light_clusters* clusters,
+                                                     const litfog_atmosphere* atmosphere, double step,
+                                                     int32_t lamp_leg);
+/// The range in metres of those bounds, for a host's own culling.
+///
+/// kind   below the number of kinds
+/// range  [0, extent]; may be infinity
+LITFOG_API litfog_status litfog_updater_reach_of_kind(const litfog_updater* updater, size_t kind,
+                                                      const litfog_atmosphere* atmosphere, double step,
+                                                      int32_t lamp_leg, double* range);
 /// Brings the lists up to date with a view and the lights.
 ///
 /// changed  not 0 where the lists have changed; may be NULL
