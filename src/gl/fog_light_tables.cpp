@@ -3,65 +3,16 @@
 
 #include <epoxy/gl.h>
 
-#include <algorithm>
 #include <array>
+#include <cstddef>
 #include <string>
 
-#include "gl/upload_ranges.h"
 #include "litfog/gl/unsupported.h"
 
 namespace litfog::gl {
-namespace {
-
-void expect_storage_buffers() {
-  if (epoxy_gl_version() >= 43) return;
-  for (const char* extension : {"GL_ARB_shader_storage_buffer_object", "GL_ARB_program_interface_query"}) {
-    if (!epoxy_has_gl_extension(extension)) {
-      throw Unsupported("this OpenGL has no storage buffers: it is older than 4.3 and lacks " + std::string(extension));
-    }
-  }
-}
-
-}  // namespace
-
-FogLightTables::Table::Table(std::size_t entry_bytes) : entry_bytes_(entry_bytes) {
-  allocate(entry_bytes);  // because OpenGL has no empty buffer textures
-}
-
-void FogLightTables::Table::allocate(std::size_t bytes) {
-  capacity_ = bytes;
-  glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
-  glBufferData(GL_TEXTURE_BUFFER, GLsizeiptr(capacity_), nullptr, GL_DYNAMIC_DRAW);
-  glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
-  glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, buffer_.id());
-}
-
-void FogLightTables::Table::upload(std::span<const std::byte> table, std::span<const EntryRange> changed) {
-  const bool is_first = size_ == 0;
-  const bool has_outgrown = table.size() > capacity_;
-  // By half at a time, so that a table that grows light by light is rarely uploaded whole.
-  if (has_outgrown) allocate(std::max(table.size(), capacity_ + capacity_ / 2));
-  size_ = table.size();
-  const EntryRange all{0, table.size() / entry_bytes_};
-  glBindBuffer(GL_TEXTURE_BUFFER, buffer_.id());
-  upload_ranges(GL_TEXTURE_BUFFER, 0, table, entry_bytes_, is_first || has_outgrown ? std::span(&all, 1) : changed);
-}
-
-void FogLightTables::Table::bind_texture(unsigned unit) const {
-  GLint most = 0;
-  glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
-  const std::size_t texels = size_ / sizeof(glm::vec4);
-  if (texels > std::size_t(most)) {
-    throw Unsupported("the lights need a buffer texture of " + std::to_string(texels) +
-                      " texels; this OpenGL has at most " + std::to_string(most));
-  }
-  glActiveTexture(GL_TEXTURE0 + unit);
-  glBindTexture(GL_TEXTURE_BUFFER, texture_.id());
-}
-
-void FogLightTables::Table::bind_storage(unsigned binding) const {
-  glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, buffer_.id());
-}
+FogLightTables::FogLightTables()
+    : kinds_(GL_RGBA32F, sizeof(glm::vec4), sizeof(FogLightKind)),
+      instances_(GL_RGBA32F, sizeof(glm::vec4), sizeof(FogLightInstance)) {}
 
 void FogLightTables::upload(std::span<const FogLightKind> kinds, std::span<const FogLightInstance> instances,
                             const FogLightChanges& changes) {
@@ -75,7 +26,6 @@ void FogLightTables::bind_textures(unsigned kind_unit, unsigned instance_unit) c
 }
 
 void FogLightTables::bind_storage(unsigned kind_binding, unsigned instance_binding) const {
-  expect_storage_buffers();
   kinds_.bind_storage(kind_binding);
   instances_.bind_storage(instance_binding);
 }

@@ -31,6 +31,7 @@ TEST(ShaderLibrary, LibraryHoldsTheInstalledFiles) {
                                                "litfog/shaders/light_airlight.glsl",
                                                "litfog/shaders/light_block.glsl",
                                                "litfog/shaders/light_buffer.glsl",
+                                               "litfog/shaders/light_clusters.glsl",
                                                "litfog/shaders/multiple_scattering.glsl",
                                                "litfog/shaders/phase.glsl",
                                                "litfog/shaders/surface.glsl"};

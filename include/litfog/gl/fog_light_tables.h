@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <cstddef>
 #include <span>
 
 #include "litfog/fog_light_block.h"
-#include "litfog/gl/gl_name.h"
+#include "litfog/gl/buffer_table.h"
 #include "litfog/gl/program.h"
 #include "litfog/updater.h"
 
@@ -17,6 +16,8 @@ namespace litfog::gl {
 /// threads  like GlName
 class FogLightTables {
  public:
+  FogLightTables();
+
   /// Uploads the changed ranges, or the whole table the first time and when it outgrows its buffer. That replaces the
   /// active texture unit's binding of GL_TEXTURE_BUFFER, so bind textures afterwards.
   void upload(std::span<const FogLightKind> kinds, std::span<const FogLightInstance> instances,
@@ -34,26 +35,8 @@ class FogLightTables {
   void bind_storage(unsigned kind_binding, unsigned instance_binding) const;
 
  private:
-  /// One of the tables.
-  class Table {
-   public:
-    explicit Table(std::size_t entry_bytes);
-    void upload(std::span<const std::byte> table, std::span<const EntryRange> changed);
-    void bind_texture(unsigned unit) const;
-    void bind_storage(unsigned binding) const;
-
-   private:
-    void allocate(std::size_t bytes);
-
-    std::size_t entry_bytes_;
-    std::size_t size_ = 0;  // bytes
-    std::size_t capacity_ = 0;
-    BufferName buffer_;
-    TextureName texture_;
-  };
-
-  Table kinds_{sizeof(FogLightKind)};
-  Table instances_{sizeof(FogLightInstance)};
+  BufferTable kinds_;
+  BufferTable instances_;
 };
 
 /// Compares the members' offsets in the program's LitfogKindBuffer and LitfogInstanceBuffer, as the driver laid them

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "litfog/gl/gl_name.h"
+#include "litfog/updater.h"
+
+namespace litfog::gl {
+
+/// A table in a buffer that grows with it, which shaders read as a buffer texture or as a storage buffer.
+///
+/// threads  like GlName
+class BufferTable {
+ public:
+  /// format  of the texels, e.g. GL_RGBA32F
+  BufferTable(unsigned format, std::size_t texel_bytes, std::size_t entry_bytes);
+
+  /// Uploads the changed entries, or the whole table the first time and when it outgrows its buffer. That replaces the
+  /// active texture unit's binding of GL_TEXTURE_BUFFER, so bind textures afterwards.
+  void upload(std::span<const std::byte> table, std::span<const EntryRange> changed);
+
+  /// Binds the table as a texture to a texture unit.
+  ///
+  /// throws  Unsupported where it has more texels than this OpenGL's buffer textures
+  void bind_texture(unsigned unit) const;
+
+  /// Binds the table as a storage buffer to a binding point.
+  ///
+  /// throws  Unsupported where this OpenGL has no storage buffers
+  void bind_storage(unsigned binding) const;
+
+ private:
+  void allocate(std::size_t bytes);
+
+  unsigned format_;
+  std::size_t texel_bytes_;
+  std::size_t entry_bytes_;
+  std::size_t size_ = 0;  // bytes
+  std::size_t capacity_ = 0;
+  BufferName buffer_;
+  TextureName texture_;
+};
+
+/// throws   Unsupported where this OpenGL has no storage buffers
+void expect_storage_buffers();
+
+}  // namespace litfog::gl

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// litfog: the few lights that can light a fragment, and those that can light the fog before it, in place of all lights:
+// the table of litfog/light_clusters.h, whose lights are those of light_buffer.glsl or of a host's own.
+//
+// The table is a buffer texture of R32UI texels, a 2-D texture or a storage buffer, as light_buffer.glsl says of its
+// tables, at LITFOG_CLUSTER_BINDING (default 4).
+
+#ifndef LITFOG_LIGHT_CLUSTERS_GLSL
+#define LITFOG_LIGHT_CLUSTERS_GLSL
+
+#include "litfog/shaders/light_buffer.glsl"
+
+#ifndef LITFOG_CLUSTER_BINDING
+#define LITFOG_CLUSTER_BINDING 4
+#endif
+
+#ifdef LITFOG_LIGHT_STORAGE
+layout(LITFOG_STORAGE_AT(LITFOG_CLUSTER_BINDING), std430) readonly buffer LitfogClusterBuffer {
+  uint litfog_cluster_buffer[];
+};
+
+int litfog_cluster_word(int word) { return int(litfog_cluster_buffer[word]); }
+
+#else
+
+#ifdef LITFOG_LIGHT_TEXTURE
+#define LITFOG_CLUSTER_SAMPLER usampler2D
+#else
+#define LITFOG_CLUSTER_SAMPLER usamplerBuffer
+#endif
+
+#ifdef VULKAN
+layout(set = LITFOG_SET, binding = LITFOG_CLUSTER_BINDING)
+#endif
+uniform highp LITFOG_CLUSTER_SAMPLER litfog_cluster_buffer;
+
+int litfog_cluster_word(int word) {
+#ifdef LITFOG_LIGHT_TEXTURE
+  int width = textureSize(litfog_cluster_buffer, 0).x;
+  return int(texelFetch(litfog_cluster_buffer, ivec2(word % width, word / width), 0).x);
+#else
+  return int(texelFetch(litfog_cluster_buffer, word).x);
+#endif
+}
+
+#endif
+
+struct LitfogLightList {
+  int first;  // word of the table
+  int count;
+};
+
+// Word of the cluster of a point.
+//
+// place  in the picture, from 0 to 1, y up: gl_FragCoord.xy over the picture's size
+// depth  metres along the view's forward direction: 1.0 / gl_FragCoord.w by the usual projections
+int litfog_cluster_at(vec2 place, float depth) {
+  ivec3 parts = ivec3(litfog_cluster_word(0), litfog_cluster_word(1), litfog_cluster_word(2));
+  float slice = intBitsToFloat(litfog_cluster_word(3)) * log2(depth) + intBitsToFloat(litfog_cluster_word(4));
+  // The slice is kept within int's range, because a look-up at infinity or at 0 has none.
+  ivec3 part = ivec3(floor(vec3(place * vec2(parts.xy), clamp(slice, 0.0, 64.0))));
+  part = clamp(part, ivec3(0), parts - 1);
+  return 5 + 4 * ((part.z * parts.y + part.y) * parts.x + part.x);
+}
+
+// The lights that can light a point.
+LitfogLightList litfog_lights_at(vec2 place, float depth) {
+  int cluster = litfog_cluster_at(place, depth);
+  return LitfogLightList(litfog_cluster_word(cluster), litfog_cluster_word(cluster + 1));
+}
+
+// The lights that can light anything between the eye and a point: those whose airlight it has.
+LitfogLightList litfog_lights_along(vec2 place, float depth) {
+  int cluster = litfog_cluster_at(place, depth);
+  return LitfogLightList(litfog_cluster_word(cluster + 2), litfog_cluster_word(cluster + 3));
+}
+
+// Index of a list's light, from 0 to below its count.
+int litfog_listed_light(LitfogLightList list, int i) { return litfog_cluster_word(list.first + i); }
+
+#endif
