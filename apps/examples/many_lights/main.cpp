@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+// A host with 5,000 lamps of 40 kinds, whose visibility changes in each frame: litfog finds the few that a pixel needs.
+//
+//     many_lights_host PICTURE.ppm [SIZE [LAMPS [all]]]
+//
+// draws four frames below each other, SIZE pixels wide (a multiple of 4), without a window. With `all` it draws each
+// pixel by all lamps, for comparison: take at most 1,000, because Mesa's software rasteriser ends a pixel's loops after
+// 65,535 rounds. Ends with 1 where PICTURE cannot be written, with 3 where there is no OpenGL 3.3.
+#include <epoxy/gl.h>
+#include <litfog/gl/check_errors.h>
+#include <litfog/gl/fog_light_buffer.h>
+#include <litfog/gl/fog_light_tables.h>
+#include <litfog/gl/headless_context.h>
+#include <litfog/gl/light_cluster_tables.h>
+#include <litfog/gl/program.h>
+#include <litfog/gl/unsupported.h>
+#include <litfog/updater.h>
+
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <random>
+#include <string>
+
+constexpr litfog::gl::ShaderSource kShaders[] = {{"host.vert", R"(
+out vec3 position;
+void main() {  // the sky 1,000 m ahead, and over it the ground; the eye looks along -z
+  vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1);
+  position = vec3(4000.0 * corner.x - 2000.0, 0.0, -1.0 - 999.0 * corner.y);
+  if (gl_InstanceID == 0) position.yz = vec2(2000.0 * corner.y - 100.0, -1000.0);
+  gl_Position = vec4(position.x, position.y - 12.0, 0.0, -position.z);
+}
+)"},
+                                                 {"host.frag", R"(
+#include "litfog/shaders/light_airlight.glsl"
+#include "litfog/shaders/light_clusters.glsl"
+const vec3 eye = vec3(0.0, 12.0, 0.0);
+uniform float size;
+in vec3 position;
+out vec4 color;
+void main() {
+  vec4 ray = litfog_ray(eye, position);
+  vec2 place = gl_FragCoord.xy / size;
+  LitfogLightList lights = litfog_lights_at(place, 1.0 / gl_FragCoord.w);
+  float shown = position.y == 0.0 ? 0.5 - 0.5 * litfog_fog_opacity(eye.y, 0.0, ray.w, 1.0) : 0.0;
+  vec3 seen = vec3(0.0);
+  for (int i = 0; i < lights.count; ++i) {
+    LitfogLight light = litfog_buffered_light(litfog_listed_light(lights, i));
+    vec4 beam = litfog_ray(light.position_extent.xyz, position);
+    seen += shown * max(-beam.y, 0.0) * litfog_lamp_factor(light, 0.0, beam.w) * litfog_light_along(light, beam);
+  }
+  lights = litfog_lights_along(place, 1.0 / gl_FragCoord.w);
+  for (int i = 0; i < lights.count; ++i)
+    seen += litfog_light_airlight(litfog_buffered_light(litfog_listed_light(lights, i)), eye, ray.xyz, ray.w);
+  color = vec4(seen, 1.0);
+}
+)"}};
+
+int main(int count, char** arguments) try {
+  const int size = count > 2 ? std::atoi(arguments[2]) : 180;
+  const litfog::gl::HeadlessContext context;
+  const litfog::gl::RenderbufferName image;
+  glBindRenderbuffer(GL_RENDERBUFFER, image.id());
+  glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, size, size);
+  const litfog::gl::FramebufferName target;
+  glBindFramebuffer(GL_FRAMEBUFFER, target.id());
+  glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, image.id());
+  const litfog::gl::VertexArrayName no_vertices;
+  glBindVertexArray(no_vertices.id());
+  glViewport(0, 0, size, size);
+
+  litfog::FogUpdater lamps;
+  std::mt19937 random;
+  const auto number = [&](double low, double high) { return low + (high - low) * double(random()) / 4294967296.; };
+  for (int i = 0, end = count > 3 ? std::atoi(arguments[3]) : 5000; i < end; ++i) {
+    litfog::PlacedLight lamp{.light = {.attenuation = {1, 0, 0.02 + 0.002 * (i % 40)}}, .direction = {0, -1, 0}};
+    lamp.light.color = {number(5, 20), number(5, 15), number(0, 10)};
+    if (i % 2 == 0) lamp.light.cone = litfog::Cone::smoothstep(0.6, 1.2);
+    lamp.position = {number(-1000, 1000), number(3, 9), number(-1000, -5)};
+    lamps.add(lamp);
+  }
+  const litfog::View view{.eye = {0, 12, 0}, .farthest = 1001};  // 90 degrees wide and high
+  litfog::LightClusters clusters(count > 4 ? litfog::ClusterGrid{1, 1, 1} : litfog::ClusterGrid{});
+
+  const litfog::gl::Program program("host.vert", "host.frag", kShaders);
+  program.use();
+  glUniform1f(program.uniform("size"), float(size));
+  for (int unit = 0; const char* table : {"litfog_kind_buffer", "litfog_instance_buffer", "litfog_cluster_buffer"})
+    glUniform1i(program.uniform(table), unit++);
+  litfog::gl::FogLightBuffer fog_block;
+  litfog::gl::FogLightTables tables;
+  litfog::gl::LightClusterTables cluster_tables;
+  std::ofstream output(count > 1 ? arguments[1] : "many_lights.ppm", std::ios::binary);
+  output << "P6 " << size << ' ' << 4 * size << " 255\n";
+  for (const double visibility : {5000., 1000., 300., 100.}) {
+    const litfog::Atmosphere air{.fog = litfog::Fog::from_visibility(litfog::FogMode::exp, visibility)};
+    const litfog::FogLightChanges changes = lamps.set_fog(air.fog);
+    tables.upload(lamps.kinds(), lamps.instances(), changes);
+    lamps.bound_lights(clusters, air);
+    for (std::size_t i = 0; count > 4 && i < clusters.size(); ++i) clusters.set_light(i, {});
+    if (clusters.update(view)) cluster_tables.upload(clusters);
+    fog_block.upload(litfog::pack_fog_header(air, 0));
+    fog_block.bind(program, 0);
+    tables.bind_textures(0, 1);
+    cluster_tables.bind_texture(2);
+    glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 2);
+
+    std::string pixels(std::size_t(3 * size * size), '\0');
+    glReadPixels(0, 0, size, size, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
+    litfog::gl::check_errors("drawing");
+    for (int y = size - 1; y >= 0; --y) output.write(&pixels[std::size_t(3 * size * y)], 3 * size);
+    std::cout << visibility << " m: " << clusters.statistics().lights_in_view << " lamps in view\n";
+  }
+  return output.flush() ? 0 : 1;
+} catch (const litfog::gl::Unsupported& reason) {
+  std::cerr << reason.what() << '\n';
+  return 3;
+}
