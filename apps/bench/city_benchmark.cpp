@@ -8,24 +8,21 @@
 #include <cmath>
 #include <deque>
 #include <limits>
-#include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bench/stopwatch.h"
 #include "bench/visible_lights.h"
 #include "command/progress.h"
 #include "command/wall_timer.h"
-#include "litfog/airlight.h"
 #include "litfog/gl/headless_context.h"
 #include "litfog/light_clusters.h"
+#include "litfog/updater.h"
 #include "measure/picture_error.h"
 #include "measure/quantile.h"
-#include "render/light/scene_lights.h"
 #include "render/renderer.h"
 #include "scene/file/scene_file.h"
 
@@ -135,42 +132,6 @@ void time_frame(Trial& trial, render::Renderer& renderer) {
   trial.wall_milliseconds.push_back(wall.milliseconds());
 }
 
-// --- clusters ---
-
-/// Lights and their kinds, which have names.
-class KindedLights {
- public:
-  explicit KindedLights(std::span<const PlacedLight> lights) : lights_(lights) {
-    std::map<std::string_view, std::size_t> numbers;
-    for (const PlacedLight& placed : lights) {
-      const auto [number, is_new] = numbers.try_emplace(placed.light.name, firsts_.size());
-      if (is_new) firsts_.push_back(placed.light);
-      kinds_.push_back(number->second);
-    }
-  }
-
-  std::vector<LightBounds> bounds_in(const Fog& fog) const {
-    std::vector<double> reaches;
-    for (const Light& light : firsts_) {
-      reaches.push_back(light_reach(light, fog, std::min(0.5, kBudget / render::largest_component(light.color))));
-    }
-    std::vector<LightBounds> bounds;
-    bounds.reserve(lights_.size());
-    for (std::size_t i = 0; i < lights_.size(); ++i) bounds.push_back(bounds_of(lights_[i], reaches[kinds_[i]]));
-    return bounds;
-  }
-
- private:
-  std::span<const PlacedLight> lights_;
-  std::vector<Light> firsts_;  // the first light of each kind
-  std::vector<std::size_t> kinds_;
-};
-
-void set_lights(LightClusters& clusters, std::span<const LightBounds> bounds) {
-  clusters.resize(bounds.size());
-  for (std::size_t i = 0; i < bounds.size(); ++i) clusters.set_light(i, bounds[i]);
-}
-
 /// A city and how it is measured.
 class CityTrials {
  public:
@@ -178,21 +139,21 @@ class CityTrials {
       : scale_(scale), city_(scene::read_scene(scene::bundled_scene_path("city"), std::ranges::max(scale.lights))) {}
 
   void measure_clusters(double visibility, std::size_t count) {
-    const KindedLights lights(std::span(city_.lights).first(count));
-    const Fog fog = Fog::from_visibility(FogMode::exp, visibility);
+    FogUpdater lights;
+    for (const PlacedLight& light : std::span(city_.lights).first(count)) lights.add(light);
+    const Atmosphere air{.fog = Fog::from_visibility(FogMode::exp, visibility)};
     LightClusters clusters;
     Trial& change = add("clusters-fog", visibility, count);
     const View first = view_of(camera_at(0, city_.camera.field_of_view), visibility);
     for (int i = 0; i < scale_.still_frames + 1; ++i) {
-      const Fog other{FogMode::exp, fog.density * (1 + 1e-3 * (scale_.still_frames - i))};
+      const Atmosphere other = air.with({FogMode::exp, air.fog.density * (1 + 1e-3 * (scale_.still_frames - i))});
       const double time = time_of(thread_milliseconds, [&] {
-        set_lights(clusters, lights.bounds_in(other));
+        lights.bound_lights(clusters, other, kBudget);
         clusters.update(first);
       });
       if (i > 0) note(change, clusters, time);  // the first one is set up
     }
-    const std::vector<LightBounds> bounds = lights.bounds_in(fog);
-    set_lights(clusters, bounds);
+    lights.bound_lights(clusters, air, kBudget);
 
     Trial& flight = add("clusters", visibility, count);
     for (int frame = 0; frame < scale_.flight_frames; ++frame) {
@@ -202,9 +163,9 @@ class CityTrials {
 
     Trial& still = add("clusters-one-light", visibility, count);
     for (int i = 0; i < 10 * scale_.still_frames; ++i) {
-      LightBounds changed = bounds[std::size_t(i) * 37 % count];
-      changed.range *= 1.5;
-      clusters.set_light(std::size_t(i) * 37 % count, changed);
+      const std::size_t light = std::size_t(i) * 37 % count;
+      const auto kind = std::size_t(lights.instances()[light].position_kind.w);
+      clusters.set_light(light, bounds_of(city_.lights[light], 1.5 * lights.reach_of_kind(kind, air, kBudget)));
       note(still, clusters,
            time_of(thread_milliseconds, [&] { clusters.update(view_at(scale_.flight_frames - 1, visibility)); }));
     }

@@ -6,8 +6,8 @@
 namespace litfog::bench {
 
 /// A flight of 300 frames through the streets of a city at night, with 100 to 100,000 of its lights, at four
-/// visibilities in exp fog. A light's range is its reach in the fog, and the view ends where fog hides what is as
-/// bright as a display's white: beyond that, less than half a step of the display is lost. Columns:
+/// visibilities in exp fog. A light's range is its reach in the fog, beyond which all lights together add less than half
+/// a step of the display, and the view ends where fog hides what is as bright as a display's white. Columns:
 ///
 /// method         clusters (LightClusters at each frame of the flight), clusters-one-light (the view stands and one
 ///                light changes), clusters-fog (a change of the visibility: reaches, ranges and clusters); frame (a
