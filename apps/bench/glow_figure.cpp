@@ -60,7 +60,7 @@ struct Lamp {
       methods.push_back({name, {.name = title, .style = style, .color = color}, std::move(glow)});
     };
     using enum command::SeriesStyle;
-    const ScatteringSource source = scattering_source(light.light, air);
+    const ScatteringSource source = scattering_source(light.light, air, {});
     const double tau = depth, mean_cosine = source.phase_cosine;
     const auto once = [lamp = light, fog = air](double angle) { return kQuadratic * airlight(lamp, fog, ray(angle)); };
     add("reference", "", line, 7, [lamp = light, fog = air, tau, reference](double angle) {

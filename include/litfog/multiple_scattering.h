@@ -57,9 +57,10 @@ double effective_intensity(const Attenuation& attenuation, double density);
 
 /// A light as M knows it, for all rays.
 struct ScatteringSource {
-  double intensity = 0;               ///< source_intensity(), m^2
-  double phase_cosine = 0;            ///< mean cosine of the phase function
-  std::optional<ScatteredBeam> beam;  ///< of its cone; empty: a point lamp
+  double intensity = 0;     ///< source_intensity(), m^2
+  double phase_cosine = 0;  ///< mean cosine of the phase function
+  bool is_cone = false;     ///< else a point lamp
+  ScatteredBeam beam = {};  ///< of its shape
 };
 
 /// Effective intensity of a light in its fog, m^2; 0 in clear air and in total fog.
@@ -119,5 +120,20 @@ inline double multiple_scattering(const PlacedLight& light, const Atmosphere& at
   multiple_scattering(light, atmosphere, table, {&ray, 1}, {&scattered, 1});
   return scattered;
 }
+
+/// Largest error of scattered_irradiance() of a point lamp, as a fraction of (1 - f) I / r^2, what of its light is
+/// scattered on a distance r with the fog factor f.
+inline constexpr double kScatteredIrradianceMaxError = 0.1;
+
+/// Light that a surface receives from the fog around it, in the unit of a(r) cone(u) f(r) cos, which it receives from
+/// the lamp itself. At the distance of one visibility from a lamp it is several times that.
+///
+/// source     the light's
+/// position   of the surface, metres
+/// normal     unit vector
+/// max error  as above                                                                  (multiple_scattering_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
+double scattered_irradiance(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
+                            const glm::dvec3& position, const glm::dvec3& normal);
 
 }  // namespace litfog

@@ -64,4 +64,8 @@ inline constexpr double kLargestPhaseMaxError = 1e-11;
 /// max error        kLargestPhaseMaxError                                                              (phase_test.cpp)
 double largest_phase(const Phase& phase, double lowest = -1, double highest = 1);
 
+/// Mean cosine of the angle of scattering (Bruce Draine 2003, "Scattering by Interstellar Dust Grains. I. Optical and
+/// Ultraviolet", equation 5).
+double mean_cosine(const Phase& phase);
+
 }  // namespace litfog

@@ -39,7 +39,6 @@ struct ThinBeams {
     double forward = 0;  ///< mean cosine between light of a point lamp and the direction away from it
   };
   std::array<Row, kBeamDepths> rows;
-  double phase_cosine = 0;  ///< mean cosine of the phase function
 };
 
 /// table   that of the atmosphere

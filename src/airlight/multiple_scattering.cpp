@@ -86,7 +86,7 @@ double coordinate(const PhasePlace& of, double parameter) {
 
 struct ScatteringText : Text<double, NoCookie> {
   using LitfogScatteredBeam = ScatteredBeam::Texel;
-  const ScatteringTable& table;
+  const ScatteringTable* table = nullptr;
   const ScatteredBeam* only_beam = nullptr;
 
   double litfog_scattering_log(double row, double column) const {
@@ -95,7 +95,7 @@ struct ScatteringText : Text<double, NoCookie> {
     const auto i = std::min(std::size_t(y), std::size_t(kScatteringDepths - 2));
     const auto j = std::min(std::size_t(x), std::size_t(kScatteringAngles - 2));
     const auto along = [&](std::size_t depth) {
-      return std::lerp(double(table.logs[depth][j]), double(table.logs[depth][j + 1]), x - double(j));
+      return std::lerp(double(table->logs[depth][j]), double(table->logs[depth][j + 1]), x - double(j));
     };
     return std::lerp(along(i), along(i + 1), y - double(i));
   }
@@ -122,7 +122,9 @@ struct ScatteringText : Text<double, NoCookie> {
 
 #define LITFOG_REAL double
 #define LITFOG_CONSTANT static constexpr
+#define litfog_expm1 std::expm1
 #include "litfog/shaders/multiple_scattering.glsl"  // undefines both
+#undef litfog_expm1
 };
 
 /// Number i of the fine ones: Edwin Catmull and Raphael Rom's cubic between tabulated numbers, of which the outermost
@@ -187,7 +189,7 @@ ScatteringTable make_scattering_table(const Atmosphere& atmosphere) {
 
 double scattered_at(const ScatteringTable& table, double depth, double angle) {
   const NoCookie no_cookie;
-  return ScatteringText{{no_cookie}, table}.litfog_scattered_at(depth, angle);
+  return ScatteringText{{no_cookie}, &table}.litfog_scattered_at(depth, angle);
 }
 
 double effective_intensity(const Attenuation& attenuation, double density) {
@@ -225,8 +227,9 @@ ScatteringSource scattering_source(const Light& light, const BeamMoments& shape,
                                    const ThinBeams& beams) {
   ScatteringSource source;
   source.intensity = source_intensity(light, atmosphere);
-  source.phase_cosine = beams.phase_cosine;
-  if (shape[0] < 1) source.beam = make_scattered_beam(shape, beams);
+  source.phase_cosine = mean_cosine(atmosphere.phase);
+  source.is_cone = shape[0] < 1;
+  source.beam = make_scattered_beam(shape, beams);
   return source;
 }
 
@@ -243,10 +246,31 @@ double multiple_scattering(const PlacedLight& light, const ScatteringSource& sou
   if (!(source.intensity > 0)) return 0;
   const Fog fog = unchecked::scaled(atmosphere.fog, light.light.density_scale);
   const NoCookie no_cookie;
-  ScatteringText text{{no_cookie, atmosphere.profile}, table, source.beam ? &*source.beam : nullptr};
+  ScatteringText text{{no_cookie, atmosphere.profile}, &table, &source.beam};
   const auto air = text.seen_along(light, 0, fog, ray, LampLeg::fogged, phase_text::pack<double>(atmosphere.phase));
-  return source.intensity * (source.beam ? text.litfog_multiple_scattering(air, 0, source.phase_cosine)
-                                         : text.litfog_multiple_scattering(air));
+  return source.intensity * (source.is_cone ? text.litfog_multiple_scattering(air, 0, source.phase_cosine)
+                                            : text.litfog_multiple_scattering(air));
+}
+
+double scattered_irradiance(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
+                            const glm::dvec3& position, const glm::dvec3& normal) {
+  require(find_error(light));
+  require(find_error(atmosphere));
+  require(find_scattering_error(atmosphere));
+  require(find_error(EyeRay{.origin = position, .direction = normal}));
+  const glm::dvec3 offset = position - light.position;
+  const double range = glm::length(offset);
+  if (!(source.intensity > 0) || !(range > 0)) return 0;
+  const glm::dvec3 away = offset / range, axis = glm::normalize(light.direction);
+  const double cosine = std::clamp(glm::dot(away, axis), -1.0, 1.0);
+  const glm::dvec3 turned = away * cosine - axis;
+  const double sine = glm::length(turned);
+  const NoCookie no_cookie;
+  ScatteringText text{{no_cookie}, nullptr, &source.beam};
+  return source.intensity *
+         text.litfog_scattered_irradiance(unchecked::scaled(atmosphere.fog, light.light.density_scale).density * range,
+                                          range, 0, std::acos(cosine) / ScatteringText::litfog_beam_angle_step,
+                                          -glm::dot(normal, away), sine > 0 ? -glm::dot(normal, turned) / sine : 0);
 }
 
 void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,

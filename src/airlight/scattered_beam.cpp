@@ -21,12 +21,6 @@ constexpr double kSharpness = 12.5;
 
 double depth_of(int row) { return kFirstDepth * std::pow(kLastDepth / kFirstDepth, double(row) / (kBeamDepths - 1)); }
 
-/// Mean cosine of a lobe (Draine 2003, equation 5).
-double mean_cosine(const PhaseLobe& lobe) {
-  const auto [g, alpha] = lobe;
-  return g * (1 + alpha * (3 + 2 * g * g) / 5) / (1 + alpha * (1 + 2 * g * g) / 3);
-}
-
 /// A point lamp of 1 / (Q r^2), r in depths.
 constexpr double kQuadratic = 1e12;
 PlacedLight lamp_at(double depth) {
@@ -99,8 +93,6 @@ ThinBeams make_thin_beams(const Atmosphere& atmosphere, const ScatteringTable& t
   air.fog.density = 1;
   ThinBeams beams;
   for (int row = 0; row < kBeamDepths; ++row) beams.rows[std::size_t(row)] = make_row(depth_of(row), air, table);
-  const auto& [first, second, weight] = air.phase;
-  beams.phase_cosine = weight * mean_cosine(first) + (1 - weight) * mean_cosine(second);
   return beams;
 }
 

@@ -37,4 +37,12 @@ double largest_phase(const Phase& phase, double lowest, double highest) {
   return phase_text::litfog_largest_phase(phase_text::pack<double>(phase), 1 - highest, 1 - lowest);
 }
 
+double mean_cosine(const Phase& phase) {
+  const auto of_lobe = [](const PhaseLobe& lobe) {
+    const auto [g, alpha] = lobe;
+    return g * (1 + alpha * (3 + 2 * g * g) / 5) / (1 + alpha * (1 + 2 * g * g) / 3);
+  };
+  return phase.weight * of_lobe(phase.first) + (1 - phase.weight) * of_lobe(phase.second);
+}
+
 }  // namespace litfog

@@ -457,7 +457,10 @@ double FogUpdater::Store::reach_of_kind(std::size_t kind, const Atmosphere& atmo
   const Kind& held = kinds_[kind];
   const double budget = reach_budget(step, light_count_, held.brightest, atmosphere);
   if (held.lit_count == 0) return 0;
-  const Light light{.attenuation = held.attenuation, .threshold = held.threshold, .density_scale = held.density_scale};
+  Light light;
+  light.attenuation = held.attenuation;
+  light.threshold = held.threshold;
+  light.density_scale = held.density_scale;
   return light_reach(light, atmosphere.thinnest_fog(), budget, lamp_leg);
 }
 

@@ -108,6 +108,47 @@ TEST(MultipleScattering, PointLampIsThatOfTheRandomWalk) {
   }
 }
 
+// The truth is the radiance of all directions before the surface, summed.
+TEST(ScatteredIrradiance, OfAPointLampIsTheSumOfItsGlow) {
+  const measure::RadialScattering nodes(0.6);
+  double worst = 0;
+  for (const Case& c : kCases) {
+    const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = c.phase};
+    const ThinBeams beams = make_thin_beams(air, make_scattering_table(air));
+    const auto glow = nodes.solve(c.phase);
+    for (const double depth : {0.03, 0.2, 1.0, 3.0, 8.0}) {
+      const PlacedLight lamp = lamp_ahead(depth);
+      const ScatteringSource source = scattering_source(lamp.light, air, beams);
+      constexpr int kAngles = 300, kAround = 64;
+      std::vector<double> angles, lights;  // the glow's, times its solid angle over that of a sphere
+      for (int i = 0; i < kAngles; ++i) {
+        const double from = 1e-5 * std::pow(pi / 1e-5, double(i) / kAngles);
+        const double to = 1e-5 * std::pow(pi / 1e-5, (i + 1.) / kAngles);
+        const double angle = (from + to) / 2;
+        const double single = kQuadratic * reference_airlight(lamp, air, ray_beside(angle));
+        angles.push_back(angle);
+        lights.push_back((single + glow.at(depth, angle)) * std::sin(angle) * (to - from) / 2);
+      }
+      for (const double turn : {0.0, 0.8, pi / 2, 2.0, pi}) {
+        double truth = 0;
+        for (std::size_t i = 0; i < angles.size(); ++i) {
+          for (int k = 0; k < kAround; ++k) {
+            const double cosine = std::cos(turn) * std::cos(angles[i]) +
+                                  std::sin(turn) * std::sin(angles[i]) * std::cos(pi * (k + 0.5) / kAround);
+            truth += lights[i] * std::max(cosine, 0.0) / kAround;
+          }
+        }
+        const glm::dvec3 normal(std::sin(turn), 0, -std::cos(turn));
+        const double found = kQuadratic * scattered_irradiance(lamp, source, air, glm::dvec3(0.0), normal);
+        const double error = std::abs(found - truth) * depth * depth / -std::expm1(-depth);
+        EXPECT_LE(error, kScatteredIrradianceMaxError) << c.name << ", depth " << depth << ", turned by " << turn;
+        worst = std::max(worst, error);
+      }
+    }
+  }
+  std::printf("largest error %.3f of what is scattered\n", worst);
+}
+
 TEST(MultipleScattering, WholeGlowOfAConeIsThatOfTheRandomWalk) {
   struct ConeCase {
     const char* name;

@@ -7,6 +7,7 @@
 #include <chrono>
 #include <thread>
 
+#include "command/progress.h"
 #include "drawing/drawing.h"
 #include "drawing/picture_file.h"
 #include "gl/gl_test.h"
@@ -49,7 +50,8 @@ class PictureMakerTest : public GlTest {
     if (order.is_sketch) options.display.glare = drawing::Glare::none;
     options.width = order.width;
     options.height = order.height;
-    const drawing::Drawn drawn = drawing::draw(scene, options, 1, false, false);
+    command::Progress progress;
+    const drawing::Drawn drawn = drawing::draw(scene, options, {}, progress, 1, false, false);
     return drawing::shown_pixels(drawing::displayed(drawn.picture, scene.camera, drawn.display));
   }
 

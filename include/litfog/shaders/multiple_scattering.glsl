@@ -4,7 +4,7 @@
 // light_airlight.glsl.
 //
 // In Vulkan the table is at LITFOG_SET (default 0) and LITFOG_SCATTERING_BINDING (default 3), and the beams of cones are at
-// LITFOG_BEAMS_BINDING (default 4).
+// LITFOG_BEAMS_BINDING (default 5).
 
 #ifndef LITFOG_MULTIPLE_SCATTERING_GLSL
 #define LITFOG_MULTIPLE_SCATTERING_GLSL
@@ -40,7 +40,7 @@ struct LitfogScatteredBeam {
 // after the other down the columns of beams from the first row on.
 #ifdef VULKAN
 #ifndef LITFOG_BEAMS_BINDING
-#define LITFOG_BEAMS_BINDING 4
+#define LITFOG_BEAMS_BINDING 5
 #endif
 layout(set = LITFOG_SET, binding = LITFOG_BEAMS_BINDING)
 #endif
@@ -143,6 +143,25 @@ LITFOG_REAL litfog_beam_share(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL
     point = straight;
   }
   return min(cone / point, LITFOG_REAL(1.0));
+}
+
+// Light that a surface receives from the fog, scattered once or more often, over the lamp's effective intensity. What flows
+// away from a point lamp through the surface is (1 - e^-depth) / range^2, as the fog absorbs none; what comes from all
+// directions is known by the beam. The two decide about a surface between one that faces the lamp and one that turns away.
+//
+// depth   optical, from the lamp
+// column  of the beam: the angle between its axis and the direction to the surface, over litfog_beam_angle_step
+// facing  cosines between the surface's normal and the directions x towards the lamp and y towards the beam's axis, at
+//         right angles to x
+LITFOG_REAL litfog_scattered_irradiance(LITFOG_REAL depth, LITFOG_REAL range, LITFOG_REAL beam, LITFOG_REAL column,
+                                        LITFOG_REAL facing_x, LITFOG_REAL facing_y) {
+  LITFOG_REAL row = log(clamp(depth, litfog_first_beam_depth, litfog_last_beam_depth) / litfog_first_beam_depth) / litfog_beam_depth_step;
+  LitfogScatteredBeam scattered = litfog_scattered_beam(beam, row, column);
+  LITFOG_REAL flow = scattered.radial * facing_x + scattered.turned * facing_y;
+  LITFOG_REAL all = scattered.share / scattered.forward;
+  LITFOG_REAL spread = all * all - scattered.radial * scattered.radial - scattered.turned * scattered.turned;
+  LITFOG_REAL lost = litfog_expm1(-depth) * LITFOG_REAL(-1.0);
+  return LITFOG_REAL(0.5) * lost / (range * range) * (flow + sqrt(LITFOG_REAL(0.25) * max(spread, LITFOG_REAL(0.0)) + flow * flow));
 }
 
 // M of a cone along a ray of exp fog, over the lamp's effective intensity: that of a point lamp, piece by piece of the ray.

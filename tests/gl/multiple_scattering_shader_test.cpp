@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "litfog/multiple_scattering.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <numbers>
+#include <vector>
+
+#include "gl/formula_pixels.h"
+#include "gl/gl_test.h"
+#include "litfog/fog_light_block.h"
+#include "reference/random_light.h"
+
+namespace litfog::test {
+namespace {
+
+using glm::vec4;
+
+class MultipleScatteringShader : public GlTest {};
+
+gl::TextureName linear_texture(int unit, GLint format, GLsizei width, GLsizei height, GLenum channels,
+                               const void* texels) {
+  gl::TextureName texture;
+  glActiveTexture(GLenum(GL_TEXTURE0 + unit));
+  glBindTexture(GL_TEXTURE_2D, texture.id());
+  glTexImage2D(GL_TEXTURE_2D, 0, format, width, height, 0, channels, GL_FLOAT, texels);
+  for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+    glTexParameteri(GL_TEXTURE_2D, filter, GL_LINEAR);
+  }
+  for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T}) {
+    glTexParameteri(GL_TEXTURE_2D, wrap, GL_CLAMP_TO_EDGE);
+  }
+  return texture;
+}
+
+// Of a point lamp and of two cones along rays in fog of density 1.
+TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
+  for (const Phase& phase : {Phase{}, Phase::droplets(10)}) {
+    const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = phase};
+    const ScatteringTable table = make_scattering_table(air);
+    const ThinBeams thin = make_thin_beams(air, table);
+    Light point;
+    point.attenuation = {.constant = 0, .linear = 0, .quadratic = 1e8};
+    std::array<ScatteringSource, 3> sources;
+    std::array<ScatteredBeam, 2> beams;
+    std::array<Light, 3> lights{point, point, point};
+    lights[1].cone = Cone::smoothstep(0.1, 0.4);
+    lights[2].cone = Cone::smoothstep(0.5, 1.5);
+    for (std::size_t i = 0; i < 3; ++i) sources[i] = scattering_source(lights[i], air, thin);
+    for (std::size_t i = 0; i < 2; ++i) beams[i] = sources[i + 1].beam;
+    const auto logs = linear_texture(1, GL_R32F, kScatteringAngles, kScatteringDepths, GL_RED, table.logs.data());
+    const auto cones = linear_texture(2, GL_RGBA32F, kBeamAngles, 2 * kBeamDepths, GL_RGBA, beams.data());
+    Random random(4205);
+    std::array<std::vector<vec4>, 2> inputs;
+    std::vector<EyeRay> rays;
+    std::vector<PlacedLight> lamps;
+    for (int i = 0; i < 3000; ++i) {
+      const auto kind = std::size_t(i % 3);
+      const double depth = random.log_uniform(0.03, 8), angle = random.uniform(0.02, std::numbers::pi);
+      const double aim = random.uniform(0, 2 * std::numbers::pi);
+      const double length = random.chance(0.5) ? 1e30 : random.log_uniform(0.1, 10);
+      PlacedLight lamp{
+          .light = lights[kind], .position = {0, 0, -depth}, .direction = {std::sin(aim), 0, std::cos(aim)}};
+      const EyeRay ray{.direction = {std::sin(angle), 0, -std::cos(angle)}, .length = length};
+      const double approach = depth * std::cos(angle);
+      const glm::dvec3 offset = approach * ray.direction - lamp.position;
+      inputs[0].emplace_back(length, approach, glm::length(offset), glm::dot(offset, lamp.direction));
+      inputs[1].emplace_back(glm::dot(ray.direction, lamp.direction), double(kind) - 1, sources[kind].phase_cosine, 0);
+      rays.push_back(ray);
+      lamps.push_back(lamp);
+    }
+    const gl::Program program = FormulaPixels::program(
+        "#define LITFOG_KNOT_COUNT 0\n#include \"test/input.glsl\"\n"
+        "#include \"litfog/shaders/multiple_scattering.glsl\"\n"
+        "uniform vec4 lobes[2];\n"
+        "LitfogPhaseLobe lobe(vec4 x) { return LitfogPhaseLobe(x.x, x.y, x.z, x.w); }\n"
+        "void main() { vec4 a = given(0), b = given(1);\n"
+        "LitfogPhase phase = LitfogPhase(lobe(lobes[0]), lobe(lobes[1]));\n"
+        "LitfogAirlight air = LitfogAirlight(1.0, 0.0, 1.0, phase, 0.0, 0.0, 1.0, 1e30, 0.0, 0.0, 0.0, a.x,\n"
+        "a.y, a.z, a.w, b.x, 0.0, 0.0, 0.0, 0.0, 0.0);\n"
+        "result = vec4(b.y < 0.0 ? litfog_multiple_scattering(air)\n"
+        "                        : litfog_multiple_scattering(air, b.y, b.z)); }\n");
+    program.use();
+    glUniform1i(program.uniform("litfog_scattering_table"), 1);
+    glUniform1i(program.uniform("litfog_scattered_beams"), 2);
+    const auto lobes = pack_fog_header(air, 0).phase_lobes;
+    glUniform4fv(program.uniform("lobes"), 2, &lobes[0].x);
+    const auto results = FormulaPixels().draw(program, {inputs[0], inputs[1]});
+    double largest = 0;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      const ScatteringSource& source = sources[i % 3];
+      const double expected = multiple_scattering(lamps[i], source, air, table, rays[i]) / source.intensity;
+      // Rays that end are differences of the endless ones.
+      EyeRay endless = rays[i];
+      endless.length = 1e30;
+      const double whole = multiple_scattering(lamps[i], source, air, table, endless) / source.intensity;
+      largest = std::max(largest, std::abs(double(results[i].x) - expected) / whole);
+    }
+    std::printf("largest error %.2g of the endless ray's\n", largest);
+    EXPECT_LE(largest, 0.005);
+  }
+}
+
+}  // namespace
+}  // namespace litfog::test
