@@ -19,7 +19,8 @@ uniform int first_light;
 uniform int light_count;
 uniform int row_count;  // texel rows of eight slabs; the next eight slabs are above
 
-const float faint_slabs = 0.0005;  // linear, of the display's white
+const int slab_parts = 3;      // of a slab, in each of which a cone has one share
+const float faint = 0.001;  // of eight slabs: so little light that its place among them is not seen
 
 layout(location = 0) out vec4 sums[slabs_at_once];
 
@@ -59,18 +60,29 @@ void main() {
 #ifdef HAS_HIGHER_ORDERS
     LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, litfog_far);
     vec4 source = texelFetch(scattering_sources, index);
-    float beyond[slabs_at_once + 1];
-    for (int slab = 0; slab <= slabs_at_once; ++slab) {
-      beyond[slab] = source.x * litfog_scattered_beyond(air, slab_begin(first_slab + slab), far_peak_angle);
-    }
-    // What is too faint for its steps to be seen has the share of the middle slabs.
-    float most = max(max(lamp.r, lamp.g), lamp.b) * (beyond[0] - beyond[slabs_at_once]);
-    bool is_faint = source.y < 0.0 || most < faint_slabs;
-    float share = is_faint ? scattered_share(source, air, slab_begin(first_slab + slabs_at_once / 2)) : 1.0;
-    for (int slab = 0; slab < slabs_at_once; ++slab) {
-      float middle = 0.5 * (slab_begin(first_slab + slab) + slab_begin(first_slab + slab + 1));
-      if (!is_faint) share = scattered_share(source, air, middle);
-      slabs[slab] += lamp * (share * (beyond[slab] - beyond[slab + 1]));
+    float before = source.x * litfog_scattered_beyond(air, slab_begin(first_slab), far_peak_angle);
+    float last = source.x * litfog_scattered_beyond(air, slab_begin(first_slab + slabs_at_once), far_peak_angle);
+    if (max(max(lamp.r, lamp.g), lamp.b) * (before - last) < faint) {
+      // It is spread over the slabs as the fog before them dims light.
+      float middle = slab_begin(first_slab + slabs_at_once / 2);
+      vec3 left = lamp * ((before - last) * scattered_share(source, air, middle));
+      float begin = exp(-density * slab_begin(first_slab));
+      float whole = max(begin - exp(-density * slab_begin(first_slab + slabs_at_once)), 1.0e-30);
+      for (int slab = 0; slab < slabs_at_once; ++slab) {
+        float end = exp(-density * slab_begin(first_slab + slab + 1));
+        slabs[slab] += left * ((begin - end) / whole);
+        begin = end;
+      }
+    } else {
+      for (int part = 0; part < slabs_at_once * slab_parts; ++part) {
+        int slab = first_slab + part / slab_parts;
+        float begin = slab_begin(slab);
+        float size = (slab_begin(slab + 1) - begin) / float(slab_parts);
+        begin += float(part % slab_parts) * size;
+        float next = source.x * litfog_scattered_beyond(air, begin + size, far_peak_angle);
+        slabs[part / slab_parts] += lamp * (scattered_share(source, air, begin + 0.5 * size) * (before - next));
+        before = next;
+      }
     }
     if (!is_single) continue;
 #endif
