@@ -85,7 +85,9 @@ double coordinate(const PhasePlace& of, double parameter) {
 }
 
 struct ScatteringText : Text<double, NoCookie> {
-  using LitfogScatteredBeam = ScatteredBeam::Texel;
+  struct LitfogScatteredBeam {
+    double share, radial, turned, forward;
+  };
   const ScatteringTable* table = nullptr;
   const ScatteredBeam* only_beam = nullptr;
 
@@ -104,15 +106,15 @@ struct ScatteringText : Text<double, NoCookie> {
     const double y = std::clamp(row, 0.0, kBeamDepths - 1.0), x = std::clamp(column, 0.0, kBeamAngles - 1.0);
     const auto i = std::min(std::size_t(y), std::size_t(kBeamDepths - 2));
     const auto j = std::min(std::size_t(x), std::size_t(kBeamAngles - 2));
-    const auto at = [&](float LitfogScatteredBeam::*member) {
+    const auto at = [&](float ScatteredBeam::Texel::*member) {
       const auto along = [&](std::size_t depth) {
         const auto& texels = only_beam->texels[depth];
         return std::lerp(double(texels[j].*member), double(texels[j + 1].*member), x - double(j));
       };
-      return float(std::lerp(along(i), along(i + 1), y - double(i)));
+      return std::lerp(along(i), along(i + 1), y - double(i));
     };
-    return {at(&LitfogScatteredBeam::share), at(&LitfogScatteredBeam::radial), at(&LitfogScatteredBeam::turned),
-            at(&LitfogScatteredBeam::forward)};
+    using Texel = ScatteredBeam::Texel;
+    return {at(&Texel::share), at(&Texel::radial), at(&Texel::turned), at(&Texel::forward)};
   }
 
   static double acos(double x) { return std::acos(x); }

@@ -100,7 +100,7 @@ layer(apps/browser/** FORBIDDEN command/ image/ scene/file/ measure/ drawing/ pa
       ${fit} ${ceres} ${json} ${images} ${displays} CLI/)
 layer(apps/solve/** apps/fit/** FORBIDDEN image/ scene/ ${above_scene} ${gl} ${graphics})
 layer(apps/examples/** FORBIDDEN ${commands})  # they know what is installed
-layer(apps/bench/** FORBIDDEN drawing/ papers/ demo/ window/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/
+layer(apps/bench/** FORBIDDEN papers/ demo/ window/ solve/ fit/ core/ gl/)  # of tests/ it may know reference/
 
 # tests. Only the benchmark's know its sources; what the benchmark takes from here is reference/.
 layer(tests/reference/** FORBIDDEN ${apps} core/ ${files} ${gl})
