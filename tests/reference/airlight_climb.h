@@ -32,6 +32,12 @@ inline std::string to_string(const ClimbKind& kind) {
          (kind.lamp_leg == LampLeg::fogged ? ",1" : ",0") + (kind.is_directional ? ",0.99" : ",0");
 }
 
+/// The error that litfog/airlight.h states for every ray of a kind, of lamps that are no cookies.
+inline double stated_error(const ClimbKind& kind) {
+  if (!kind.is_directional || kind.mode == FogMode::exp2 || kind.lamp_leg == LampLeg::clear) return kAirlightMaxError;
+  return kind.shape == LampShape::point ? kShapedAirlightMaxError : kShapedConeAirlightMaxError;
+}
+
 /// A point of the space that is searched: each number in [0, 1].
 using ClimbPoint = std::array<double, 14>;
 
