@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/value_errors.h"
+#include "fit/random_target.h"
 #include "litfog/light.h"
 #include "reference/double_limits.h"
 #include "reference/falloff_reference.h"
@@ -208,24 +209,7 @@ TEST(AttenuationFit, EveryTargetThatIsAcceptedIsFitted) {
   Random random(13);
   WorstError error("extent", "accepted targets of all magnitudes", 1e-12, "relative");
   for (int i = 0; i < 400; ++i) {
-    const double decades = random.pick(std::array{1.0, 5.0, 29.0}), middle = random.uniform(-29, 29);
-    const auto draw_range = [&] {
-      return std::pow(10, std::clamp(middle + random.uniform(-decades, decades), -29.9, 29.9));
-    };
-    std::vector<double> ranges;
-    for (int k = int(random.uniform(0, 8)); k > 0; --k) ranges.push_back(draw_range());
-    if (random.chance(0.2)) ranges.push_back(0);
-    std::sort(ranges.begin(), ranges.end());
-    ranges.erase(std::unique(ranges.begin(), ranges.end()), ranges.end());
-    const double darkest = random.pick(std::array{1.0, 5.0, 100.0}), weights = random.pick(std::array{0.0, 1.0, 100.0});
-    AttenuationTarget target{.threshold = random.chance(0.5) ? 0.05 : std::pow(10, -random.uniform(1e-9, 100)),
-                             .is_robust = random.chance(0.3)};
-    for (const double range : ranges) {
-      target.samples.push_back({range, random.chance(0.2) ? 1 : std::pow(10, -random.uniform(0, darkest)),
-                                std::pow(10, random.uniform(-weights, weights))});
-    }
-    if (random.chance(0.5)) target.extent = draw_range();
-    if (random.chance(0.4)) target.constant = random.pick(std::array{0.0, 1.0, std::pow(10, random.uniform(-99, 99))});
+    const AttenuationTarget target = draw_attenuation_target(random);
     if (find_error(target)) continue;
     const AttenuationFit fit = fit_attenuation(target);
     EXPECT_FALSE(find_error(fit.attenuation)) << describe(target);

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/value_errors.h"
+#include "fit/random_target.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 #include "reference/ulp.h"
@@ -115,28 +116,6 @@ double best_smoothstep_objective(const std::vector<ConeSample>& samples) {
   return best;
 }
 
-/// Beams as measured, and what is none: noise, lobes, rings.
-std::vector<ConeSample> draw_samples(Random& random) {
-  const double last = random.log_uniform(radians(2), radians(180));
-  const int count = 3 + int(random.uniform(0, 20));
-  const double width = last * random.uniform(0.1, 1);
-  const int kind = int(random.uniform(0, 5));
-  std::vector<ConeSample> samples;
-  double angle = random.chance(0.8) ? 0 : random.uniform(0, last / 10);
-  for (int i = 0; i < count; ++i) {
-    const double x = angle / width;
-    double fraction = random.uniform(0, 1);                                                              // anything
-    if (kind == 0) fraction = std::exp(-x * x * 2);                                                      // Gaussian
-    if (kind == 1) fraction = 1 / (1 + std::pow(x * 2, 4)) + 0.02;                                       // with spill
-    if (kind == 2) fraction = std::max(0.0, 1 - x) * (1 + random.uniform(-0.1, 0.1));                    // noisy
-    if (kind == 3) fraction = 0.1 + std::exp(-x * x * 4) + 0.8 * std::exp(-(x - 1.5) * (x - 1.5) * 20);  // a ring
-    samples.push_back({angle, fraction * 12345, random.chance(0.5) ? 1 : random.log_uniform(0.1, 10)});
-    angle += last / count * random.uniform(0.5, 1.4);
-    if (angle > pi) break;
-  }
-  return samples;
-}
-
 TEST(ConeFit, BothProfilesHaveTheirGlobalOptimum) {
   Random random(21);
   WorstError cosine_excess("cosine objective", "above that of cuts and Brent's method", 1e-3, "relative");
@@ -144,7 +123,7 @@ TEST(ConeFit, BothProfilesHaveTheirGlobalOptimum) {
   WorstError kkt("KKT residual", "60 beams, both profiles", 1e-5, "");
   WorstError boxes("boxes", "examined for a proof", 1000, "");
   for (int i = 0; i < 60; ++i) {
-    const auto samples = draw_samples(random);
+    const auto samples = draw_cone_samples(random);
     if (samples.size() < 2) continue;
     SCOPED_TRACE(i);
     const auto name = [i] { return std::to_string(i); };

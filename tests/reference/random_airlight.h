@@ -290,4 +290,16 @@ inline AirlightCase draw_coincident_airlight_case(Random& random, FogMode mode, 
   return c;
 }
 
+/// Whether a ray runs along the edge of a beam that is not dark there: it is lit or not by the last digit.
+inline bool runs_along_edge(const AirlightCase& c) {
+  const Cone& cone = c.light.light.cone;
+  if (cone.profile != ConeProfile::cosine) return false;
+  const auto is_on_edge = [&](double along) {
+    const glm::dvec3 from_light = c.ray.origin + along * c.ray.direction - c.light.position;
+    return std::abs(glm::dot(from_light, c.light.direction) - std::cos(cone.half_angle) * glm::length(from_light)) <
+           1e-6 * along;
+  };
+  return is_on_edge(0.37) && is_on_edge(5.1);
+}
+
 }  // namespace litfog::test

@@ -1,17 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
 #include <numbers>
 #include <random>
 #include <string>
+#include <string_view>
 
 #include "litfog/attenuation.h"
 #include "litfog/fog.h"
@@ -40,15 +43,24 @@ inline std::string to_string(const SolveCase& c) {
 class Random {
  public:
   explicit Random(std::uint64_t seed) : engine_(seed) {}
+  /// For fuzzers: draws are eight bytes each, as long as there are any. The bytes have to outlive this.
+  explicit Random(std::string_view bytes) : engine_(1), bytes_(bytes) {}
 
-  double uniform(double low, double high) { return low + (high - low) * (double(engine_() >> 11) * 0x1p-53); }
+  std::uint64_t bits() {
+    if (bytes_.empty()) return engine_();
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, bytes_.data(), std::min(bytes_.size(), sizeof bits));
+    bytes_.remove_prefix(std::min(bytes_.size(), sizeof bits));
+    return bits;
+  }
+  double uniform(double low, double high) { return low + (high - low) * (double(bits() >> 11) * 0x1p-53); }
   double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
   bool chance(double probability) { return uniform(0, 1) < probability; }
-  int below(int count) { return int(engine_() % std::uint64_t(count)); }
+  int below(int count) { return int(bits() % std::uint64_t(count)); }
 
   template <typename Container>
   auto pick(const Container& container) {
-    return container[engine_() % std::size(container)];
+    return container[bits() % std::size(container)];
   }
 
   /// Any positive finite T by its bits; one in eight is subnormal.
@@ -57,12 +69,13 @@ class Random {
     using Bits = std::conditional_t<sizeof(T) == 8, std::uint64_t, std::uint32_t>;
     const Bits largest = std::bit_cast<Bits>(std::numeric_limits<T>::max());
     const Bits smallest_normal = std::bit_cast<Bits>(std::numeric_limits<T>::min());
-    const Bits bits = Bits(engine_());
-    return std::bit_cast<T>(Bits(1 + (chance(0.125) ? bits % (smallest_normal - 1) : bits % largest)));
+    const Bits drawn = Bits(bits());
+    return std::bit_cast<T>(Bits(1 + (chance(0.125) ? drawn % (smallest_normal - 1) : drawn % largest)));
   }
 
  private:
   std::mt19937_64 engine_;
+  std::string_view bytes_;
 };
 
 /// Evenly over the sphere.
