@@ -20,6 +20,9 @@ using airlight_text::NoCookie;
 using airlight_text::Text;
 using std::clamp, std::exp, std::log, std::max, std::min;
 
+/// 1/m: thinner fog has no light that is scattered twice, and the squares of its distances have no double.
+constexpr double kThinnest = 1e-100;
+
 /// The table of the shaders has this many steps to one of data/scattering/point.csv: between nodes that stand so close
 /// bilinear interpolation does.
 constexpr int kFineness = 4;
@@ -199,6 +202,7 @@ double effective_intensity(const Attenuation& attenuation, double density) {
   if (!(density > 0 && std::isfinite(density))) {
     require(ValueError{"density", density, "must be finite and > 0"});
   }
+  density = std::max(density, kThinnest);
   // Over t = ln(d r) the integrand e^(3 t - e^t) a / d^2 is analytic but for the knee, in strips of half width pi / 2.
   constexpr double kFirst = -20, kLast = 4;  // e^-20 and e^-(e^4) of the whole are left out at most
   const double knee = std::log(density * unchecked::compute_extent(attenuation, 1));
@@ -221,7 +225,7 @@ double source_intensity(const Light& light, const Atmosphere& atmosphere) {
   require(find_error(light));
   require(find_error(atmosphere));
   const Fog fog = unchecked::scaled(atmosphere.fog, light.density_scale);
-  if (!(fog.density > 0) || std::isinf(fog.density)) return 0;
+  if (!(fog.density > kThinnest) || std::isinf(fog.density)) return 0;
   return effective_intensity(light.attenuation, fog.density);
 }
 

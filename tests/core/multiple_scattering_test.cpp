@@ -101,6 +101,19 @@ TEST(EffectiveIntensity, InDenseFogIsThatOfTheNearLight) {
   }
 }
 
+TEST(EffectiveIntensity, FogTooThinForDoublesCountsAsThinFog) {
+  for (const Attenuation& attenuation : {Attenuation{0.23, 0.52, 0}, Attenuation{1, 0.1, 0.01}, Attenuation{1, 0, 0}}) {
+    for (const double density : {1e-101, 1e-160, 1e-308}) {
+      const double found = effective_intensity(attenuation, density);
+      EXPECT_EQ(found, effective_intensity(attenuation, 1e-100));
+      EXPECT_TRUE(std::isfinite(found) && found > 0) << found;
+      PlacedLight lamp = inverse_square_lamp({0, 0, -30});
+      lamp.light.attenuation = attenuation;
+      EXPECT_EQ(scattering_of(lamp, uniform_fog(density), ray_at(0.2)), 0);
+    }
+  }
+}
+
 TEST(EffectiveIntensity, BadArgumentIsNamed) {
   EXPECT_EQ(error_of([] { effective_intensity({}, 0); }), "density = 0: must be finite and > 0");
   EXPECT_EQ(error_of([] { effective_intensity({}, kInfinity); }), "density = inf: must be finite and > 0");
