@@ -231,7 +231,6 @@ void scatter_often(std::string_view bytes) {
   if (random.chance(0.2)) c.light.position = c.ray.origin;
   const Atmosphere atmosphere{.fog = c.atmosphere.fog, .phase = air.atmosphere.phase};
   if (find_error(c.light) || find_error(atmosphere) || find_error(c.ray)) return;
-  const double density = c.atmosphere.fog.density * light.density_scale;
   const ScatteringSource source = scattering_source(light, atmosphere, air.beams);
   EXPECT_TRUE(source.intensity >= 0 && !std::isnan(source.intensity)) << source.intensity << ": " << to_string(c);
   const double value = multiple_scattering(c.light, source, atmosphere, air.table, c.ray);
