@@ -10,9 +10,9 @@
 #include <cstddef>
 #include <iterator>
 
-#include "command/csv.h"
 #include "command/printable.h"
 #include "files/json_text.h"
+#include "text/csv.h"
 
 namespace litfog::command {
 

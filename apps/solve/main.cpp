@@ -12,7 +12,6 @@
 #include <vector>
 
 #include "command/command.h"
-#include "command/csv.h"
 #include "command/number.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
@@ -27,6 +26,7 @@
 #include "litfog/input_error.h"
 #include "litfog/runway_visual_range.h"
 #include "litfog/solve.h"
+#include "text/csv.h"
 #include "text/file_text.h"
 #include "text/system_reason.h"
 
@@ -35,6 +35,10 @@ using namespace litfog::command;
 namespace {
 
 using litfog::Attenuation;
+using litfog::csv_quoted;
+using litfog::CsvLocation;
+using litfog::CsvReader;
+using litfog::CsvRecord;
 using litfog::Fog;
 using litfog::FogIntensity;
 using litfog::FogMode;

@@ -2,77 +2,146 @@
 #include "litfog/photometry/isocandela.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <memory>
 #include <numbers>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "litfog/input_error.h"
 #include "litfog/photometry/elliptical_beam.h"
 #include "model/float_limit.h"
+#include "photometry/text_encoding.h"
 #include "photometry/text_scanner.h"
 #include "text/ascii_text.h"
+#include "text/csv.h"
 
 namespace litfog {
 namespace {
 
-using Piece = TextScanner::Piece;
-
 constexpr std::string_view kGrid = "vertical_deg";
 constexpr std::string_view kEllipses = "candela,horizontal_deg,vertical_deg";
 constexpr std::string_view kHeaderRule =
-    "must be vertical_deg and the horizontal angles, or candela,horizontal_deg,vertical_deg, with commas between";
+    "must be vertical_deg and the horizontal angles, or candela,horizontal_deg,vertical_deg, with commas or semicolons "
+    "between";
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr std::size_t kMaxCells = 1000;  // a row
 
-/// At most one more than a row may have.
-std::vector<Piece> cells_of(const Piece& line) {
-  std::vector<Piece> cells;
-  for (std::size_t begin = 0; begin <= line.text.size() && cells.size() <= kMaxCells;) {
-    const std::size_t end = std::min(line.text.find(',', begin), line.text.size());
-    const std::string_view cell = trimmed(line.text.substr(begin, end - begin));
-    cells.push_back({cell, line.offset + std::size_t(cell.data() - line.text.data())});
-    begin = end + 1;
+/// A line that is blank, of separators alone as spreadsheets write it, or a comment, which they may put in quotes.
+bool is_passed_over(std::string_view line) {
+  const std::size_t first = line.find_first_not_of(" \t\r,;");
+  return first == line.npos || line.substr(first).starts_with('#') || line.substr(first).starts_with("\"#");
+}
+
+/// The first line that is not passed over, without quotes.
+std::string header_of(std::string_view text) {
+  while (!text.empty()) {
+    const std::string_view line = text.substr(0, find_line_end(text));
+    if (!is_passed_over(line)) {
+      std::string header(line);
+      std::erase(header, '"');
+      return header;
+    }
+    text.remove_prefix(std::min(line.size() + 1, text.size()));
   }
-  return cells;
+  return "";
+}
+
+struct Cell {
+  std::string text;
+  InputLocation location;
+};
+
+[[noreturn]] void fail(const Cell& cell, std::string_view what, std::string_view rule) {
+  if (cell.text.empty()) throw InputError(cell.location, what, "", "must be given");
+  throw InputError(cell.location, what, excerpt(cell.text), rule);
+}
+
+/// UTF-8 whose lines end in LF or CR LF.
+std::string lines_of(std::string bytes) {
+  std::string text = utf8_from_bytes(std::move(bytes));
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] == '\r' && text.compare(i, 2, "\r\n") != 0) text[i] = '\n';
+  }
+  return text;
 }
 
 /// A table's lines that are neither blank nor comments, a row each.
 class Rows {
  public:
-  Rows(std::string text, const std::string& name) : scanner_(std::move(text), name) {}
+  Rows(std::string bytes, const std::string& name)
+      : text_(lines_of(std::move(bytes))),
+        separator_(header_of(text_).find(';') == std::string::npos ? ',' : ';'),
+        file_(fmemopen(text_.data(), text_.size(), "r"), std::fclose),
+        reader_(file_.get(), name, separator_) {}
 
-  /// The next row, of as many cells as the first, or a missing piece alone at the end.
-  std::vector<Piece> next() {
-    for (Piece line = scanner_.next(TextScanner::Unit::line);; line = scanner_.next(TextScanner::Unit::line)) {
-      if (line.is_missing) return {line};
-      if (line.text.empty()) continue;
-      if (line.text.starts_with('#')) {
-        if (name_.empty()) name_ = trimmed(line.text.substr(1));
+  /// The next row, of as many cells as the first, or an empty cell alone at the end.
+  std::vector<Cell> next() {
+    while (reader_.read(record_)) {
+      if (record_.error() != nullptr) {
+        const std::string error = record_.error();  // "quote must be closed on its line"
+        const std::size_t rule = error.find("must");
+        throw InputError(located(record_.error_location()), error.substr(0, rule - 1), "", error.substr(rule));
+      }
+      const std::string_view line = record_.raw(record_.size());
+      if (is_passed_over(line)) {
+        note_comment(line);
         continue;
       }
-      std::vector<Piece> cells = cells_of(line);
-      if (cells.size() > kMaxCells) scanner_.fail(cells[kMaxCells], "cell", "must be one of at most 1000 in a row");
-      if (count_ == 0) count_ = cells.size();
-      if (cells.size() != count_) {
-        throw InputError(scanner_.location(cells.back()), "number of cells", std::to_string(cells.size()),
-                         "must be " + std::to_string(count_) + ", as in the header");
+      std::vector<Cell> cells;
+      for (std::size_t i = 0; i < std::min(record_.size(), kMaxCells + 1); ++i) {
+        const std::string_view field = record_.field(i), text = trimmed(field);
+        cells.push_back({std::string(text), located(record_.location(i))});
+        cells.back().location.column += text.empty() ? 0 : std::size_t(text.data() - field.data());
       }
-      return cells;
+      if (cells.size() > kMaxCells) fail(cells[kMaxCells], "cell", "must be one of at most 1000 in a row");
+      if (count_ == 0) count_ = cells.size();
+      if (cells.size() == count_) return cells;
+      throw InputError(cells.back().location, "number of cells", std::to_string(cells.size()),
+                       "must be " + std::to_string(count_) + ", as in the header");
     }
+    is_at_end_ = true;
+    return {{"", located(reader_.location())}};
+  }
+  bool is_at_end() const { return is_at_end_; }
+
+  double number(const Cell& cell, std::string_view what) const {
+    const bool may_be_thousands = separator_ == ',' && cell.text.find(',') != std::string::npos;
+    const auto number = may_be_thousands ? std::nullopt : TextScanner::number_if_any({cell.text, 0});
+    if (!number) {
+      fail(cell, what,
+           may_be_thousands ? "must have a decimal point where commas are between cells" : "must be a finite number");
+    }
+    return *number;
   }
 
-  const TextScanner& scanner() const { return scanner_; }
   const std::string& name() const { return name_; }  ///< the light's name
 
  private:
-  TextScanner scanner_;
+  InputLocation located(CsvLocation location) const {
+    return {reader_.name(), std::size_t(location.line), std::size_t(location.column)};
+  }
+  void note_comment(std::string_view line) {
+    line = trimmed(line.substr(0, line.find_last_not_of(std::string(" \t\"") + separator_) + 1));
+    const std::size_t begin = line.find('#');
+    if (name_.empty() && begin != line.npos) name_ = trimmed(line.substr(begin + 1));
+  }
+
+  std::string text_;
+  char separator_;
+  std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
+  CsvReader reader_;
+  CsvRecord record_;
   std::string name_;
   std::size_t count_ = 0;
+  bool is_at_end_ = false;
 };
 
-double angle_deg(const TextScanner& scanner, const Piece& piece, std::string_view what, double limit) {
-  const double angle = snapped(scanner.number(piece, what), -limit, limit);
+double angle_deg(const Rows& rows, const Cell& cell, std::string_view what, double limit) {
+  const double angle = snapped(rows.number(cell, what), -limit, limit);
   if (!(angle >= -limit && angle <= limit)) {
-    scanner.fail(piece, what, limit == 180 ? "must be in [-180, 180]" : "must be in [-90, 90]");
+    fail(cell, what, limit == 180 ? "must be in [-180, 180]" : "must be in [-90, 90]");
   }
   return angle;
 }
@@ -80,25 +149,25 @@ double angle_deg(const TextScanner& scanner, const Piece& piece, std::string_vie
 /// The table's lit cell with the most candela.
 class Largest {
  public:
-  void add(double candela, const Piece& piece) {
+  void add(double candela, const Cell& cell) {
     if (candela <= candela_) return;
     candela_ = candela;
-    piece_ = piece;
+    location_ = cell.location;
   }
-  /// Fails at a piece if all are dark.
-  InputLocation location(const TextScanner& scanner, const Piece& last) const {
-    if (candela_ == 0) scanner.fail(last, "candela", "must not be 0 as all others are");
-    return scanner.location(piece_);
+  /// Fails at a cell if all are dark.
+  InputLocation location(const Cell& last) const {
+    if (candela_ == 0) fail(last, "candela", "must not be 0 as all others are");
+    return location_;
   }
 
  private:
   double candela_ = 0;
-  Piece piece_{};
+  InputLocation location_;
 };
 
-double candela_of(const TextScanner& scanner, const Piece& piece) {
-  const double candela = snapped(scanner.number(piece, "candela"), 0, kMaxIntensity);
-  if (!(candela >= 0 && candela <= kMaxIntensity)) scanner.fail(piece, "candela", "must be in [0, 1e30]");
+double candela_of(const Rows& rows, const Cell& cell) {
+  const double candela = snapped(rows.number(cell, "candela"), 0, kMaxIntensity);
+  if (!(candela >= 0 && candela <= kMaxIntensity)) fail(cell, "candela", "must be in [0, 1e30]");
   return candela;
 }
 
@@ -116,40 +185,38 @@ bool goes_on(const std::vector<GridRow>& table, double vertical) {
 }
 
 std::vector<GridRow> parse_grid_rows(Rows& rows, Luminaire& luminaire) {
-  const TextScanner& scanner = rows.scanner();
   std::vector<GridRow> table;
   Largest largest;
-  Piece last{};
+  Cell last;
   for (auto cells = rows.next();; cells = rows.next()) {
-    if (cells.front().is_missing) {
-      if (table.size() < 2) scanner.fail(cells.front(), "second row of candela", "");
+    if (rows.is_at_end()) {
+      if (table.size() < 2) fail(cells.front(), "second row of candela", "");
       break;
     }
-    const double vertical = angle_deg(scanner, cells[0], "vertical angle", 90) * kRadiansPerDegree;
+    const double vertical = angle_deg(rows, cells[0], "vertical angle", 90) * kRadiansPerDegree;
     if (!goes_on(table, vertical)) {
-      scanner.fail(cells[0], "vertical angle", "must rise from row to row, or fall from row to row");
+      fail(cells[0], "vertical angle", "must rise from row to row, or fall from row to row");
     }
     GridRow& row = table.emplace_back(GridRow{vertical, {}});
     for (std::size_t i = 1; i < cells.size(); ++i) {
-      row.candela.push_back(candela_of(scanner, cells[i]));
+      row.candela.push_back(candela_of(rows, cells[i]));
       largest.add(row.candela.back(), cells[i]);
     }
     last = cells.back();
   }
-  luminaire.peak_location = largest.location(scanner, last);
+  luminaire.peak_location = largest.location(last);
   if (table[1].vertical < table[0].vertical) std::ranges::reverse(table);
   return table;
 }
 
-void parse_grid(Rows& rows, const std::vector<Piece>& header, Luminaire& luminaire) {
-  const TextScanner& scanner = rows.scanner();
+void parse_grid(Rows& rows, const std::vector<Cell>& header, Luminaire& luminaire) {
   IntensityDistribution& grid = luminaire.distribution;
   grid.type = PhotometryType::a;
-  if (header.size() < 3) scanner.fail(header.back(), "header", "must have at least two horizontal angles");
+  if (header.size() < 3) fail(header.back(), "header", "must have at least two horizontal angles");
   for (std::size_t i = 1; i < header.size(); ++i) {
-    const double angle = angle_deg(scanner, header[i], "horizontal angle", 180) * kRadiansPerDegree;
+    const double angle = angle_deg(rows, header[i], "horizontal angle", 180) * kRadiansPerDegree;
     if (i > 1 && !(angle > grid.horizontal.back())) {
-      scanner.fail(header[i], "horizontal angle", "must be greater than the one before");
+      fail(header[i], "horizontal angle", "must be greater than the one before");
     }
     grid.horizontal.push_back(angle);
   }
@@ -160,50 +227,39 @@ void parse_grid(Rows& rows, const std::vector<Piece>& header, Luminaire& luminai
   }
 }
 
-double half_axis(const TextScanner& scanner, const Piece& piece, std::string_view what) {
-  const double angle = snapped(scanner.number(piece, what), 0, 180);
-  if (!(angle > 0 && angle <= 180)) scanner.fail(piece, what, "must be in (0, 180]");
+double half_axis(const Rows& rows, const Cell& cell, std::string_view what) {
+  const double angle = snapped(rows.number(cell, what), 0, 180);
+  if (!(angle > 0 && angle <= 180)) fail(cell, what, "must be in (0, 180]");
   return std::min(angle * kRadiansPerDegree, std::numbers::pi);
 }
 
 void parse_ellipses(Rows& rows, Luminaire& luminaire) {
   constexpr std::string_view kHorizontal = "horizontal half axis", kVertical = "vertical half axis";
-  const TextScanner& scanner = rows.scanner();
   std::vector<IsocandelaEllipse> ellipses;
   for (auto cells = rows.next();; cells = rows.next()) {
-    if (cells.front().is_missing) {
-      if (ellipses.empty()) scanner.fail(cells.front(), "row of an ellipse", "");
+    if (rows.is_at_end()) {
+      if (ellipses.empty()) fail(cells.front(), "row of an ellipse", "");
       break;
     }
-    if (ellipses.empty()) luminaire.peak_location = scanner.location(cells[0]);
-    ellipses.push_back({.intensity = candela_of(scanner, cells[0]),
-                        .horizontal = half_axis(scanner, cells[1], kHorizontal),
-                        .vertical = half_axis(scanner, cells[2], kVertical)});
+    if (ellipses.empty()) luminaire.peak_location = cells[0].location;
+    ellipses.push_back({.intensity = candela_of(rows, cells[0]),
+                        .horizontal = half_axis(rows, cells[1], kHorizontal),
+                        .vertical = half_axis(rows, cells[2], kVertical)});
     const auto error = find_error(ellipses);
     if (!error) continue;
     const std::string_view field = error->field;
-    if (field == "horizontal") scanner.fail(cells[1], kHorizontal, "must be greater than in the row before");
-    if (field == "vertical") scanner.fail(cells[2], kVertical, "must be greater than in the row before");
-    scanner.fail(cells[0], "candela", ellipses.size() == 1 ? "must be > 0" : "must be at most that of the row before");
+    if (field == "horizontal") fail(cells[1], kHorizontal, "must be greater than in the row before");
+    if (field == "vertical") fail(cells[2], kVertical, "must be greater than in the row before");
+    fail(cells[0], "candela", ellipses.size() == 1 ? "must be > 0" : "must be at most that of the row before");
   }
   luminaire.distribution = elliptical_beam(ellipses);
-}
-
-/// The first line that is neither blank nor a comment.
-std::string_view header_of(std::string_view text) {
-  while (!text.empty()) {
-    const std::string_view line = text.substr(0, find_line_end(text));
-    if (line.find_first_not_of(" \t") != line.npos && !line.starts_with('#')) return line;
-    text.remove_prefix(std::min(line.size() + 1, text.size()));
-  }
-  return {};
 }
 
 }  // namespace
 
 bool is_isocandela(std::string_view text) {
-  const std::string_view header = header_of(text);
-  return header.starts_with(kGrid) || header.starts_with("candela,");
+  const std::string header = header_of(text);
+  return header.starts_with(kGrid) || header.starts_with("candela,") || header.starts_with("candela;");
 }
 
 Luminaire parse_isocandela(std::string text, const std::string& name) {
@@ -212,17 +268,15 @@ Luminaire parse_isocandela(std::string text, const std::string& name) {
   luminaire.file = name;
   luminaire.is_absolute = true;
   luminaire.is_isocandela = true;
-  const std::vector<Piece> header = rows.next();
+  const std::vector<Cell> header = rows.next();
   std::string names;
-  for (const Piece& cell : header) names += (names.empty() ? "" : ",") + std::string(cell.text);
+  for (const Cell& cell : header) names += (names.empty() ? "" : ",") + cell.text;
   if (header.front().text == kGrid) {
     parse_grid(rows, header, luminaire);
   } else if (names == kEllipses) {
     parse_ellipses(rows, luminaire);
   } else {
-    const std::string_view last = header.back().text;
-    const std::size_t length = header.back().offset + last.size() - header.front().offset;
-    rows.scanner().fail({{header.front().text.data(), length}, header.front().offset}, "header", kHeaderRule);
+    fail({names, header.front().location}, "header", kHeaderRule);
   }
   luminaire.name = rows.name();
   return luminaire;

@@ -35,16 +35,6 @@ bool is_separator(char c) {
   return false;
 }
 
-/// Text for a message: cut where it is long, control characters replaced.
-std::string excerpt(std::string_view text) {
-  std::string shown(text.substr(0, kMaxShown));
-  shown.resize(std::min(shown.size(), utf8::find_invalid(shown)));  // no half of a code point
-  const std::size_t length = shown.size();
-  std::ranges::replace_if(
-      shown, [](char c) { return (c >= 0 && c < 0x20) || c == 0x7F; }, '?');
-  return length < text.size() ? shown + "..." : shown;
-}
-
 std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+') && !text.starts_with("+-")) text.remove_prefix(1);
   std::string with_e;  // with E instead of Fortran's D
@@ -61,6 +51,15 @@ std::optional<double> parse_number(std::string_view text) {
 }
 
 }  // namespace
+
+std::string excerpt(std::string_view text) {
+  std::string shown(text.substr(0, kMaxShown));
+  shown.resize(std::min(shown.size(), utf8::find_invalid(shown)));  // no half of a code point
+  const std::size_t length = shown.size();
+  std::ranges::replace_if(
+      shown, [](char c) { return (c >= 0 && c < 0x20) || c == 0x7F; }, '?');
+  return length < text.size() ? shown + "..." : shown;
+}
 
 std::string read_photometric_file(const std::string& path) { return read_file_text(path, kMaxPhotometricBytes); }
 

@@ -15,6 +15,9 @@ inline constexpr std::size_t kMaxPhotometricBytes = std::size_t{64} << 20;
 /// The bytes of a file of at most kMaxPhotometricBytes; throws InputError.
 std::string read_photometric_file(const std::string& path);
 
+/// A value for a message: cut where it is long, control characters replaced.
+std::string excerpt(std::string_view text);
+
 /// A photometric file's text, read piece by piece. Each error names the location of a piece.
 class TextScanner {
  public:

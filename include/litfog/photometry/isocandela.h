@@ -9,8 +9,9 @@
 namespace litfog {
 
 // clang-format off
-/// Isocandela tables: CSV with commas and decimal points, UTF-8. Lines that begin with # are comments, of which the
-/// first is the light's name. The light's axis is at 0, 0. The header says which kind of table it is.
+/// Isocandela tables: CSV with commas and decimal points, or with semicolons and decimal points or commas; cells may be
+/// in quotes. Lines that begin with # are comments, of which the first is the light's name. The light's axis is at 0, 0.
+/// The header says which kind of table it is.
 ///
 /// A grid has horizontal angles, to the right of the axis, in its header, and in each row a vertical angle, above the
 /// axis, and the candela there. Both are degrees of type A (litfog/photometry/intensity_distribution.h). The horizontal

@@ -8,11 +8,11 @@
 #include <string_view>
 #include <vector>
 
-namespace litfog::command {
+namespace litfog {
 
-/// CSV as in RFC 4180, but each line is a record: quoted fields may hold commas and quotes (doubled), and no newlines,
-/// so that a quote left open spoils one record. Lines end in LF or CRLF; the last line may lack its end. A byte order
-/// mark at the start is skipped. Quotes within an unquoted field are plain text.
+/// CSV as in RFC 4180, but each line is a record: quoted fields may hold separators and quotes (doubled), and no
+/// newlines, so that a quote left open spoils one record. Lines end in LF or CRLF; the last line may lack its end. A
+/// byte order mark at the start is skipped. Quotes within an unquoted field are plain text.
 ///
 /// Our own reader, because the packaged ones do not suffice. libcsv keeps no locations, drops the quotes of a field
 /// (pass-through columns keep theirs) and grows its buffer without limit. libfccp wants its columns at compile time.
@@ -58,16 +58,19 @@ class CsvRecord {
   CsvLocation error_location_;
 };
 
-/// Reads records one by one; holds one, of at most 1 MiB.
+/// Reads records one by one; holds one, of at most 1 MiB and 65,536 fields.
 class CsvReader {
  public:
-  /// file stays the caller's; name stands in messages.
-  CsvReader(std::FILE* file, std::string name);
+  /// file       stays the caller's
+  /// name       stands in messages
+  /// separator  between fields: a comma, or as spreadsheets of other languages write it, a semicolon
+  CsvReader(std::FILE* file, std::string name, char separator = ',');
 
   /// The next record, or false at the end. Throws InputError where the file cannot be read.
   bool read(CsvRecord& record);
 
   const std::string& name() const { return name_; }
+  CsvLocation location() const { return location_; }  ///< where the next record begins
 
  private:
   static constexpr int kEnd = -1;
@@ -77,6 +80,7 @@ class CsvReader {
 
   std::FILE* file_;
   std::string name_;
+  char separator_;
   std::array<char, 65536> buffer_;
   std::size_t next_ = 0;
   std::size_t filled_ = 0;
@@ -86,4 +90,4 @@ class CsvReader {
 /// A text as a CSV field, in quotes where it needs them.
 std::string csv_quoted(std::string_view text);
 
-}  // namespace litfog::command
+}  // namespace litfog

@@ -1,23 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command/csv.h"
-
-#include <utf8.h>
+#include "text/csv.h"
 
 #include <algorithm>
 #include <cerrno>
-#include <iterator>
 #include <utility>
 
-#include "command/exit_status.h"
 #include "litfog/input_error.h"
 #include "text/code_points.h"
 #include "text/system_reason.h"
 
-namespace litfog::command {
+namespace litfog {
 
 namespace {
 
 constexpr std::size_t kMaxRecord = std::size_t{1} << 20;
+constexpr std::size_t kMaxFields = 65536;
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 
 }  // namespace
 
@@ -26,9 +24,10 @@ std::string_view CsvRecord::raw(std::size_t count) const {
   return std::string_view(raw_).substr(0, count == 0 ? 0 : fields_[count - 1].raw_end);
 }
 
-CsvReader::CsvReader(std::FILE* file, std::string name) : file_(file), name_(std::move(name)) {
+CsvReader::CsvReader(std::FILE* file, std::string name, char separator)
+    : file_(file), name_(std::move(name)), separator_(separator) {
   peek();
-  if (utf8::starts_with_bom(std::string_view(buffer_.data(), filled_))) next_ = std::size(utf8::bom);
+  if (std::string_view(buffer_.data(), filled_).starts_with(kByteOrderMark)) next_ = kByteOrderMark.size();
 }
 
 int CsvReader::peek() {
@@ -82,7 +81,7 @@ bool CsvReader::read(CsvRecord& record) {
     state = State::field_start;
   };
 
-  bool is_too_long = false;
+  const char* too_long = nullptr;
   begin_field();
   for (;;) {
     const CsvLocation location = location_;
@@ -99,12 +98,15 @@ bool CsvReader::read(CsvRecord& record) {
       }
       break;
     }
-    if (record.raw_.size() == kMaxRecord) {  // read on to its end, but hold nothing of it
-      is_too_long = true;
+    if (record.raw_.size() == kMaxRecord || record.fields_.size() > kMaxFields) {  // read on, but hold nothing of it
+      if (too_long == nullptr) {
+        too_long = record.raw_.size() == kMaxRecord ? "record must not be longer than 1 MiB"
+                                                    : "record must not have more than 65,536 fields";
+      }
       drop_content();
       begin_field();
     }
-    if (state != State::quoted && byte == ',') {
+    if (state != State::quoted && byte == separator_) {
       end_field();
       record.raw_ += byte;
       begin_field();
@@ -138,9 +140,9 @@ bool CsvReader::read(CsvRecord& record) {
     }
   }
   end_field();
-  if (is_too_long) {
+  if (too_long != nullptr) {
     drop_content();
-    record.error_ = "record must not be longer than 1 MiB";
+    record.error_ = too_long;
     record.error_location_ = start;
   }
   return true;
@@ -156,4 +158,4 @@ std::string csv_quoted(std::string_view text) {
   return quoted + "\"";
 }
 
-}  // namespace litfog::command
+}  // namespace litfog

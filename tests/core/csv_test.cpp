@@ -1,19 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "command/csv.h"
+#include "text/csv.h"
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
-#include "command/exit_status.h"
-#include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
 
 namespace litfog::test {
-using namespace command;
 
 namespace {
 
@@ -21,7 +19,7 @@ using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
 File file_of(const std::string& text) {
   File file(std::tmpfile(), std::fclose);
-  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) throw OutputError("temporary file");
+  if (std::fwrite(text.data(), 1, text.size(), file.get()) != text.size()) throw std::runtime_error("temporary file");
   std::rewind(file.get());
   return file;
 }
@@ -50,6 +48,16 @@ TEST(Csv, RecordsAndFieldsAreSplit) {
   EXPECT_EQ(read_all(",\n,,"), (Records{{"", ""}, {"", "", ""}}));
   EXPECT_EQ(read_all("a\n\nb"), (Records{{"a"}, {""}, {"b"}}));
   EXPECT_EQ(read_all(" a , b "), (Records{{" a ", " b "}})) << "spaces are part of a field";
+}
+
+TEST(Csv, SeparatorIsTheOneGiven) {
+  const File file = file_of("a;\"b;c\";1,5\n");
+  CsvReader reader(file.get(), "f", ';');
+  CsvRecord record;
+  ASSERT_TRUE(reader.read(record));
+  EXPECT_EQ(fields_of(record), (std::vector<std::string>{"a", "b;c", "1,5"}));
+  EXPECT_EQ(record.location(2).column, 9);
+  EXPECT_EQ(reader.location().line, 2);
 }
 
 TEST(Csv, FieldsAreUnquoted) {
@@ -138,7 +146,8 @@ TEST(Csv, TextBehindAClosingQuoteIsNoted) {
 
 TEST(Csv, RecordOfOneMebibyteIsHeldAndALongerOneDropped) {
   constexpr std::size_t kMost = std::size_t{1} << 20;
-  const File file = file_of(std::string(kMost, 'x') + "\n" + std::string(5 * kMost, ',') + "\nb,c\n");
+  const File file =
+      file_of(std::string(kMost, 'x') + "\n" + std::string(5 * kMost, 'x') + "\nb,c\n" + std::string(kMost, ','));
   CsvReader reader(file.get(), "f");
   CsvRecord record;
   ASSERT_TRUE(reader.read(record));
@@ -154,6 +163,8 @@ TEST(Csv, RecordOfOneMebibyteIsHeldAndALongerOneDropped) {
   ASSERT_TRUE(reader.read(record));
   EXPECT_EQ(fields_of(record), (std::vector<std::string>{"b", "c"}));
   EXPECT_EQ(record.location(0).line, 3);
+  ASSERT_TRUE(reader.read(record));
+  EXPECT_STREQ(record.error(), "record must not have more than 65,536 fields");
 }
 
 TEST(Csv, RecordsMayStraddleTheReadersBuffer) {
