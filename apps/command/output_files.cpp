@@ -10,6 +10,8 @@
 #include "files/whole_file.h"
 #include "litfog/files/output_error.h"
 #include "litfog/input_error.h"
+#include "text/ascii_text.h"
+#include "text/file_text.h"
 
 namespace litfog::command {
 
@@ -96,7 +98,19 @@ void expect_fitted_light_or_nothing(const std::string& path) {
   if (!files::would_replace(path)) return;
   const auto document = replaced_document(path);
   if (document && document->member("litfog").string() == "light" && document->optional("fit")) return;
-  throw OutputError(fmt::format("{}: cannot be written: is there, and is no light that litfog-fit has written", path));
+  throw OutputError(fmt::format(
+      "{}: cannot be written: is there, and is no light that litfog-fit has written; --force replaces it", path));
+}
+
+void expect_picture_or_nothing(const std::string& path) {
+  if (!files::would_replace(path)) return;
+  const std::string start = read_file_start(path, 1024), ending = lower(fs::path(path).extension().string());
+  const bool is_picture = ending == ".svg"   ? start.find("<svg") != start.npos
+                          : ending == ".exr" ? start.starts_with("\x76\x2f\x31\x01")
+                                             : start.starts_with("\x89PNG");
+  if (is_picture) return;
+  throw OutputError(
+      fmt::format("{}: cannot be written: is there, and is no {} file; --force replaces it", path, ending.substr(1)));
 }
 
 }  // namespace litfog::command

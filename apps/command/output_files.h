@@ -61,4 +61,8 @@ class OutputFiles {
 /// Throws OutputError if a light would replace anything but a light that litfog-fit has written.
 void expect_fitted_light_or_nothing(const std::string& path);
 
+/// Throws OutputError if a picture would replace anything but one of its path's ending, .png, .svg or .exr, as the
+/// first bytes tell.
+void expect_picture_or_nothing(const std::string& path);
+
 }  // namespace litfog::command

@@ -33,6 +33,23 @@ class Advice {
   std::vector<std::string> sentences_;
 };
 
+/// The fit whose author is advised, and fits by other choices.
+struct Trials {
+  const LightFit& fit;
+  const FitChoices& choices;
+  const std::function<LightTarget(const FitChoices&)>& read;
+
+  template <typename Value>
+  LightFit with(Value FitChoices::*choice, const Value& value) const {
+    FitChoices other = choices;
+    other.*choice = value;
+    return fit_light(read(other));
+  }
+};
+
+/// An error must become this much smaller for a change to be worth a sentence.
+constexpr double kWorthwhile = 0.95;
+
 void advise_on_color(const glm::dvec3& color, Advice& advice) {
   constexpr double kLikelyBytes = 20;  // a blue of luminance 1 has 14
   const double brightest = std::max({color.r, color.g, color.b});
@@ -50,6 +67,16 @@ void advise_on_luminance(const LightTarget& target, Advice& advice) {
              shown_rounded(value, 6));
 }
 
+/// Ellipses, which standards draw, have no peak of their own.
+void advise_on_contours(const LightTarget& target, Advice& advice) {
+  if (!target.luminaire || !target.luminaire->is_isocandela || target.file != target.luminaire->file) return;
+  if (target.luminaire->distribution.type != PhotometryType::c) return;  // a grid
+  advice.add(
+      "{} cd is what the inner ellipse states. A standard's are minima, and the lamp may be brighter: a spec's "
+      "range.peak_cd states its own peak.",
+      shown_number(target.luminaire_peak.intensity));
+}
+
 void advise_on_source_radius(const LightFit& fit, Advice& advice) {
   const LightTarget& target = fit.target;
   const double radius = fit.light.source_radius, wanted = unstated_source_radius(target);
@@ -64,12 +91,38 @@ void advise_on_source_radius(const LightFit& fit, Advice& advice) {
   }
 }
 
-void advise_on_range(const AttenuationTarget& target, const AttenuationFit& fit, Advice& advice) {
+/// The rms error of a falloff table without one of its samples.
+double rms_without(std::size_t sample, const AttenuationTarget& target, const AttenuationFit& fit) {
+  double sum = 0, weights = 0;
+  for (std::size_t i = 0; i < target.samples.size(); ++i) {
+    if (i == sample) continue;
+    const double error = std::expm1(fit.residuals[i]);
+    sum += target.samples[i].weight * error * error;
+    weights += target.samples[i].weight;
+  }
+  return weights > 0 ? std::sqrt(sum / weights) : 0;
+}
+
+void advise_on_outlier(const Trials& trials, Advice& advice) {
+  const AttenuationTarget& target = *trials.fit.target.range;
+  const auto& residuals = trials.fit.range->residuals;
+  const auto farthest = std::ranges::max_element(residuals, {}, [](double residual) { return std::abs(residual); });
+  const auto sample = std::size_t(farthest - residuals.begin());
+  const double rms = rms_without(sample, target, *trials.fit.range);
+  const double robust_rms = rms_without(sample, target, *trials.with(&FitChoices::is_robust, true).range);
+  if (robust_rms >= kWorthwhile * rms) return;
+  advice.add(
+      "The sample at {} m is off by {:+.0f} %: if it is an outlier, try --robust, by which the others are off by "
+      "{} (rms) in place of {}.",
+      shown_number(target.samples[sample].range), 100 * std::expm1(*farthest), percent(robust_rms, 2), percent(rms, 2));
+}
+
+void advise_on_range(const Trials& trials, Advice& advice) {
+  const AttenuationTarget& target = *trials.fit.target.range;
+  const AttenuationFit& fit = *trials.fit.range;
   const bool is_measured = target.samples.size() > 3;
-  const double largest = std::abs(fit.largest_error);
-  if (is_measured && !target.is_robust && fit.rms_error > 0.01 && largest > 3 * fit.rms_error) {
-    advice.add("One sample is off by {} times the rms error: if it is an outlier, try --robust.",
-               shown_rounded(largest / fit.rms_error, 3));
+  if (is_measured && !target.is_robust && fit.rms_error > 0.01 && std::abs(fit.largest_error) > 3 * fit.rms_error) {
+    advise_on_outlier(trials, advice);
   } else if (fit.rms_error > 0.1) {
     advice.add("The range fit is off by {} (rms): no 1/(C + L r + Q r^2) falls as the table does.",
                percent(fit.rms_error, 2));
@@ -79,7 +132,19 @@ void advise_on_range(const AttenuationTarget& target, const AttenuationFit& fit,
   }
 }
 
-void advise_on_edge(const LightTarget& target, const ConeProfileFit& best, Advice& advice) {
+/// A profile that ends dark, if it was fitted, too.
+std::string dark_profile(const ConeFit& fit) {
+  for (const ConeProfileFit& profile : fit.profiles) {
+    if (cutoff_level(profile.cone) > 0.01) continue;
+    return fmt::format(": --profile {} has none, and is off by {} of the peak (rms) in place of {}",
+                       facts_of(profile.cone.profile).name, percent(profile.rms, 2), percent(fit.best().rms, 2));
+  }
+  return "";
+}
+
+void advise_on_edge(const LightFit& fit, Advice& advice) {
+  const LightTarget& target = fit.target;
+  const ConeProfileFit& best = fit.cone->best();
   const ConeTarget& cone = *target.cone;
   if (cone.samples.empty() && !(cone.beam_angle && cone.field_angle)) {
     advice.add(
@@ -89,10 +154,8 @@ void advise_on_edge(const LightTarget& target, const ConeProfileFit& best, Advic
   }
   const double edge = cutoff_level(best.cone);
   if (edge <= 0.01 || cone.half_angle) return;
-  advice.add(
-      "The cone ends at {} degrees with {} of the peak, an edge that is visible in fog: half_angle_deg moves "
-      "it.",
-      shown_angle(cutoff_angle(best.cone)), percent(edge, 2));
+  advice.add("The cone ends at {} degrees with {} of the peak, an edge that is visible in fog{}.",
+             shown_angle(cutoff_angle(best.cone)), percent(edge, 2), dark_profile(*fit.cone));
 }
 
 void advise_on_flux(const ConeFit& cone, Advice& advice) {
@@ -131,57 +194,70 @@ std::optional<double> second_beam(const LightTarget& target) {
   return fraction >= kLeast && level < 0.5 * second ? std::optional(fraction) : std::nullopt;
 }
 
-void advise_on_shape(const LightFit& fit, Advice& advice) {
-  if (const auto fraction = second_beam(fit.target)) {
-    advice.add("A second beam, {:.0f} % as bright, goes the other way: --axis {} fits it, as a light of its own.",
-               100 * *fraction, fit.target.axis == kPhotometricAxis ? "up" : "down");
-  }
-  if (fit.beam() && fit.target.asymmetry > kRoundBeam) {
-    advice.add("The beam is not rotationally symmetric: any cone loses {:.0f} % of it (rms). --cookie keeps its shape.",
-               100 * fit.target.asymmetry);
-  }
-  if (const auto angle = ring_angle(fit.target)) {
-    advice.add(
-        "The beam is a ring, brightest {} degrees off the axis: no cone is dark in its middle. --cookie keeps its "
-        "shape.",
-        shown_angle(*angle));
-  } else if (fit.target.luminaire && fit.peak_angle > files::radians(5)) {
-    advice.add("The beam's peak is {} degrees off the cone's axis: --axis peak moves the axis there.",
-               shown_angle(fit.peak_angle));
-  }
+/// What a cookie would keep of a beam that is not round.
+void advise_on_cookie(const Trials& trials, Advice& advice) {
+  const LightFit& fit = trials.fit;
+  const auto ring = ring_angle(fit.target);
+  if (!fit.beam() || fit.cookie || (!ring && fit.target.asymmetry <= kRoundBeam)) return;
+  const double error = *fit.beam_error(),
+               left = *trials.with(&FitChoices::cookie_size, kUnstatedCookieSize).beam_error();
+  if (left >= kWorthwhile * error) return;
+  const std::string shape =
+      ring ? fmt::format("The beam is a ring, brightest {} degrees off the axis", shown_angle(*ring))
+           : std::string("The beam is not rotationally symmetric");
+  advice.add("{}: the cone is off by {} of it (rms). --cookie keeps its shape, and is off by {}.", shape,
+             percent(error, 2), percent(left, 2));
 }
 
-void advise_on_cone(const LightFit& fit, Advice& advice) {
-  constexpr double kPlainMiss = 0.05;  // fraction of an angle
-  const ConeProfileFit& best = fit.cone->best();
-  advise_on_edge(fit.target, best, advice);
-  if (best.field_angle_error && std::abs(*best.field_angle_error) > kPlainMiss) {
-    advice.add("The cone misses the 10 % angle by {:+.1f} %.", 100 * *best.field_angle_error);
+void advise_on_axis(const Trials& trials, Advice& advice) {
+  using Kind = AxisChoice::Kind;
+  const LightFit& fit = trials.fit;
+  if (const auto fraction = second_beam(fit.target); fraction && fit.flux) {
+    const bool is_down = fit.target.axis == kPhotometricAxis;
+    const LightFit other = trials.with(&FitChoices::axis, AxisChoice{is_down ? Kind::up : Kind::down});
+    const double data = luminous_flux(fit.target.luminaire->distribution), both = *fit.flux + *other.flux;
+    if (std::abs(both - data) < kWorthwhile * std::abs(*fit.flux - data)) {
+      advice.add(
+          "A second beam, {:.0f} % as bright, goes the other way: --axis {} fits it, as a light of its own. Both "
+          "have {} of the file's {} lm.",
+          100 * *fraction, is_down ? "up" : "down", shown_rounded(both, 4), shown_rounded(data, 4));
+    }
   }
-  advise_on_flux(*fit.cone, advice);
-  if (best.rms > 0.05) {
-    advice.add("Neither profile follows the beam well (rms error {:.2g} of the peak).", best.rms);
-  }
-  advise_on_shape(fit, advice);
+  if (!fit.target.luminaire || fit.cookie || fit.peak_angle <= files::radians(5) || ring_angle(fit.target)) return;
+  const double error = *fit.beam_error();
+  const double left = *trials.with(&FitChoices::axis, AxisChoice{Kind::peak}).beam_error();
+  if (left >= kWorthwhile * error) return;
+  advice.add(
+      "The beam's peak is {} degrees off the cone's axis: --axis peak moves the axis there, and the cone is off by "
+      "{} of the beam (rms) in place of {}.",
+      shown_angle(fit.peak_angle), percent(left, 2), percent(error, 2));
 }
 
 }  // namespace
 
-std::vector<std::string> advice_on(const LightFit& fit) {
+std::vector<std::string> advice_on(const LightFit& fit, const FitChoices& choices,
+                                   const std::function<LightTarget(const FitChoices&)>& read) {
+  const Trials trials{fit, choices, read};
   Advice advice;
+  advise_on_contours(fit.target, advice);
   advise_on_color(fit.target.color, advice);
   advise_on_luminance(fit.target, advice);
   if (fit.range) {
-    advise_on_source_radius(fit, advice);
-    advise_on_range(*fit.target.range, *fit.range, advice);
+    advise_on_range(trials, advice);
   } else {
     advice.add("No range is given: the light does not fall off. Give its extent or a falloff table.");
   }
   if (fit.cone) {
-    advise_on_cone(fit, advice);
+    advise_on_axis(trials, advice);
+    advise_on_cookie(trials, advice);
+    if (!fit.cookie) {
+      advise_on_flux(*fit.cone, advice);
+      advise_on_edge(fit, advice);
+    }
   } else {
     advice.add("No cone is given: a point light.");
   }
+  if (fit.range) advise_on_source_radius(fit, advice);
   return std::move(advice).sentences();
 }
 

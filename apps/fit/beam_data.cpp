@@ -71,4 +71,17 @@ BeamData beam_data(const LightFit& fit) {
   return data;
 }
 
+BeamData light_beam(const LightFit& fit) {
+  BeamData beam{.peak = fit.peak, .flux = fit.flux, .beam_angle = {}, .field_angle = {}};
+  if (fit.cookie) {
+    const BeamData data = beam_data(fit);
+    beam.beam_angle = data.beam_angle;
+    beam.field_angle = data.field_angle;
+  } else if (fit.cone) {
+    beam.beam_angle = {2 * angle_at_level(fit.light.cone, 0.5)};
+    beam.field_angle = {2 * angle_at_level(fit.light.cone, 0.1)};
+  }
+  return beam;
+}
+
 }  // namespace litfog::fit

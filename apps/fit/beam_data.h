@@ -21,4 +21,7 @@ struct BeamData {
 /// A luminaire's data, else the angles that a spec states or its samples have.
 BeamData beam_data(const LightFit& fit);
 
+/// The same of the light as it is written. A cookie has its beam's angles, a point light has none.
+BeamData light_beam(const LightFit& fit);
+
 }  // namespace litfog::fit

@@ -41,8 +41,9 @@ h2 {{ font-size: 1.15rem; margin: 0; }}
 p {{ margin: 0.2rem 0; max-width: 70rem; }}
 table {{ border-collapse: collapse; font-size: 0.8125rem; }}
 th, td {{ padding: 0.15rem 0.6rem; text-align: right; border-bottom: 1px solid #ddd; white-space: nowrap; }}
-th:first-child, td:first-child {{ text-align: left; }}
-th {{ position: sticky; top: 0; background: #fff; }}
+th:nth-child(2), td:nth-child(2) {{ text-align: left; }}
+td img {{ display: block; height: 2rem; }}
+th {{ position: sticky; top: 0; background: #fff; cursor: pointer; }}
 .scroll {{ overflow-x: auto; }}
 .good {{ color: #00734f; }} .fair {{ color: #8a5a00; }} .poor {{ color: #b03a00; }}
 section {{ margin-top: 2rem; padding-top: 1rem; border-top: 2px solid #ddd; content-visibility: auto;
@@ -53,9 +54,23 @@ figcaption {{ font-size: 0.8125rem; color: #666; }}
 </style></head><body>
 <h1>{heading}</h1>
 <p>Errors are fit less data. A beam's asymmetry is the part of it (rms) that no cone can follow. In fog a light is seen
-from 30 m beside its beam, the frame is {metres} m wide, visibility {near}, and all lights have one exposure.</p>
-<div class="scroll"><table><thead><tr><th>light</th><th>extent m</th><th>cone</th><th>rms %</th><th>flux %</th>
-<th>asymmetry</th><th>range %</th><th>verdict</th><th>advice</th></tr></thead><tbody>
+from 30 m beside its beam, the frame is {metres} m wide, visibility {near}, and all lights have one exposure.
+A click on a column's name sorts by it.</p>
+<div class="scroll"><table><thead><tr><th></th><th>light</th><th>candela</th><th>lumens</th><th>50 % angle</th>
+<th>10 % angle</th><th>extent m</th><th>rms %</th><th>flux %</th><th>asymmetry</th><th>range %</th><th>verdict</th>
+<th>advice</th></tr></thead><tbody>
+)";
+
+/// Sorts the table by the column whose name is clicked: numbers from the largest or, at the second click, the smallest.
+constexpr const char* kPageEnd = R"(<script>
+const body = document.querySelector("tbody");
+document.querySelectorAll("th").forEach((name, column) => name.onclick = () => {
+  const key = row => row.cells[column]?.dataset.value ?? row.cells[column]?.textContent ?? "";
+  const turn = name.dataset.turn = name.dataset.turn == 1 ? -1 : 1;
+  const compare = (a, b) => isNaN(a) || isNaN(b) ? a.localeCompare(b) : b - a;
+  body.append(...[...body.rows].sort((a, b) => (key(a) == "") - (key(b) == "") || turn * compare(key(a), key(b))));
+});
+</script></body></html>
 )";
 
 bool is_own_page(const std::string& page) {
@@ -95,11 +110,17 @@ std::string heading_of(const std::vector<Summary>& summaries) {
 
 std::string table_row(const Input& input, const Summary& summary) {
   const std::string verdict = text_of(cell_of(summary, "verdict"));
-  std::string html = verdict.empty() ? fmt::format("<tr><td>{}</td>", html_text(input.path))
-                                     : fmt::format("<tr class=\"{}\"><td><a href=\"#{}\">{}</a></td>", verdict,
-                                                   html_link(input.name), html_text(input.name));
-  for (const char* column : {"extent_m", "cone", "rms_%", "flux_%", "asymmetry", "range_%"}) {
-    html += fmt::format("<td>{}</td>", text_of(cell_of(summary, column)));
+  std::string html = verdict.empty()
+                         ? fmt::format("<tr><td></td><td>{}</td>", html_text(input.path))
+                         : fmt::format(
+                               "<tr class=\"{0}\"><td><img loading=\"lazy\" alt=\"\" src=\"{1}/{2}.png\"></td>"
+                               "<td><a href=\"#{2}\">{3}</a></td>",
+                               verdict, kLamps, html_link(input.name), html_text(input.name));
+  for (const char* column :
+       {"candela", "lumens", "50_%_deg", "10_%_deg", "extent_m", "rms_%", "flux_%", "asymmetry", "range_%"}) {
+    const Cell& cell = cell_of(summary, column);
+    const double* const number = std::get_if<double>(&cell);
+    html += fmt::format("<td data-value=\"{}\">{}</td>", number ? fmt::format("{}", *number) : "", text_of(cell));
   }
   return html + fmt::format("<td>{}</td><td>{}</td></tr>\n", verdict.empty() ? "no light" : verdict,
                             text_of(cell_of(summary, "advice")));
@@ -181,7 +202,7 @@ void Catalogue::write_page(const std::vector<Input>& inputs, const std::vector<S
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     if (has_light(summaries[i])) html += section(inputs[i], summaries[i]);
   }
-  files::write_whole_file((folder_ / kPage).string(), html + "</body></html>\n");
+  files::write_whole_file((folder_ / kPage).string(), html + kPageEnd);
 }
 
 }  // namespace litfog::fit

@@ -11,7 +11,7 @@ namespace litfog::fit {
 
 /// A folder of lights with their pictures, and a page that shows them:
 ///
-///     index.html            opens from the disk; needs nothing but the files beside it, and no script
+///     index.html            opens from the disk; needs nothing but the files beside it; its own script sorts the table
 ///     lamps/NAME.json       the light
 ///     lamps/NAME.svg        its fit (fit_figure.h)
 ///     lamps/NAME.png        its beam in fog (fog_picture.h)

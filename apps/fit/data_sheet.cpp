@@ -12,7 +12,7 @@
 #include "command/printable.h"
 #include "command/table.h"
 #include "files/cone_json.h"
-#include "fit/advice.h"
+#include "fit/beam_data.h"
 #include "fit/verdict.h"
 #include "litfog/color_temperature.h"
 #include "text/shown_number.h"
@@ -214,16 +214,12 @@ void add_luminaire(Sheet& sheet, const LightFit& fit) {
   sheet.add_heading("Photometry");
   if (!luminaire.name.empty()) sheet.add("luminaire", luminaire.name);
   if (!luminaire.manufacturer.empty()) sheet.add("manufacturer", luminaire.manufacturer);
-  const bool is_photometric = fit.target.axis == kPhotometricAxis;
-  if (!is_photometric) sheet.add("axis", describe_axis(luminaire, fit.target.axis));
-  sheet.add("peak", fmt::format("{} cd, {:.3g} deg off {}", shown_number(fit.target.luminaire_peak.intensity),
-                                files::degrees(fit.peak_angle), is_photometric ? "the photometric axis" : "that axis"));
-  const auto stated = stated_flux(luminaire);
-  const double flux = luminous_flux(distribution);
-  sheet.add("flux", fmt::format("{} lm", shown_number(flux)) +
-                        (stated ? fmt::format(", stated {} lm ({} %)", shown_number(*stated),
-                                              shown_change(100 * (flux / *stated - 1), 2))
-                                : ""));
+  sheet.add("axis", fmt::format("{}; the peak is {:.3g} deg off it", describe_axis(luminaire, fit.target.axis),
+                                files::degrees(fit.peak_angle)));
+  if (const auto stated = stated_flux(luminaire)) {
+    sheet.add("stated flux", fmt::format("{} lm, from which the flux of the intensities differs by {}",
+                                         shown_number(*stated), percent(luminous_flux(distribution) / *stated - 1)));
+  }
   add_asymmetry(sheet, fit);
 }
 
@@ -237,12 +233,96 @@ void add_elliptical_beam(Sheet& sheet, const LightFit& fit) {
   add_asymmetry(sheet, fit);
 }
 
+// --- the report ---
+
+std::string shown(const std::optional<double>& value) { return value ? shown_rounded(*value, 5) : "-"; }
+
+/// "24", "24 x 6", "-".
+std::string shown(const std::vector<double>& angles) {
+  std::vector<std::string> texts;
+  for (const double angle : angles) texts.push_back(shown_rounded(files::degrees(angle), 3));
+  return texts.empty() ? "-" : fmt::format("{}", fmt::join(texts, " x "));
+}
+
+std::string line_of(std::string_view name, std::string_view first, std::string_view second, std::string_view rest) {
+  std::string line = fmt::format("  {:<16}{:<16}{:<16}{}", name, first, second, rest);
+  line.erase(line.find_last_not_of(' ') + 1);
+  return line + "\n";
+}
+
+/// The light's figure less the data's, where both are known and one.
+std::string change_of(const std::optional<double>& data, const std::optional<double>& light) {
+  return data && light && *data > 0 ? percent(*light / *data - 1) : "";
+}
+std::string change_of(const std::vector<double>& data, const std::vector<double>& light) {
+  return data.size() == 1 && light.size() == 1 ? percent(light[0] / data[0] - 1) : "";
+}
+
+std::string shown_extent(const LightFit& fit) {
+  return fit.range ? shown_rounded(compute_extent(fit.light.attenuation, fit.light.threshold), 4) : "-";
+}
+
+/// How far the light is from what was measured.
+std::string errors_of(const LightFit& fit) {
+  std::vector<std::string> errors;
+  if (const auto error = fit.beam_error()) {
+    errors.push_back(fmt::format("{} of the beam (rms)", shown_rounded(percent_of(*error), 3) + " %"));
+  } else if (fit.cone) {
+    errors.push_back(fmt::format("{} % of the peak (rms)", shown_rounded(percent_of(fit.cone->best().rms), 3)));
+  }
+  if (fit.range && !fit.target.range->samples.empty()) {
+    errors.push_back(fmt::format("falloff table {} % (rms), {} % at most",
+                                 shown_rounded(percent_of(fit.range->rms_error), 3),
+                                 shown_change(percent_of(fit.range->largest_error), 3)));
+  }
+  return joined(errors);
+}
+
 }  // namespace
 
-std::string format_data_sheet(const LightFit& fit) {
+std::string format_report(const Outcome& outcome) {
+  const LightFit& fit = *outcome.fit;
+  const BeamData data = beam_data(fit), light = light_beam(fit);
+  std::string text = command::printable(fmt::format("{}, from {}", fit.light.name, fit.target.file)) + "\n";
+  text += fmt::format("  {}: {}\n", name_of(outcome.verdict->grade), outcome.verdict->why);
+  text += line_of("", "data", "light", "");
+  text += line_of("candela", shown(data.peak), shown(light.peak), change_of(data.peak, light.peak));
+  text += line_of("lumens", shown(data.flux), shown(light.flux), change_of(data.flux, light.flux));
+  text += line_of("50 % angle, deg", shown(data.beam_angle), shown(light.beam_angle),
+                  change_of(data.beam_angle, light.beam_angle));
+  text += line_of("10 % angle, deg", shown(data.field_angle), shown(light.field_angle),
+                  change_of(data.field_angle, light.field_angle));
+  text += line_of("ends at, m", "", shown_extent(fit), "");
+  text += line_of("off by", errors_of(fit), "", "");
+  constexpr std::size_t kMaxLines = 15;
+  std::size_t lines = std::size_t(std::ranges::count(text, '\n'));
+  const std::size_t most = kMaxLines - lines - 1;
+  for (std::size_t i = 0; i < std::min(most, outcome.advice.size()); ++i) text += "  - " + outcome.advice[i] + "\n";
+  const std::size_t left = outcome.advice.size() - std::min(most, outcome.advice.size());
+  text += fmt::format("  --details has {}\n",
+                      left == 0 ? "more" : fmt::format("more, and {} more advice{}", left, left == 1 ? "" : "s"));
+  return text;
+}
+
+std::string format_comparison(const Outcome& one, const Outcome& other) {
+  std::string text = line_of("", "first", "second", "");
+  const BeamData a = light_beam(*one.fit), b = light_beam(*other.fit);
+  text = command::printable(fmt::format("first: {}, from {}", one.fit->light.name, one.fit->target.file)) + "\n" +
+         command::printable(fmt::format("second: {}, from {}", other.fit->light.name, other.fit->target.file)) + "\n" +
+         text;
+  text += line_of("candela", shown(a.peak), shown(b.peak), change_of(a.peak, b.peak));
+  text += line_of("lumens", shown(a.flux), shown(b.flux), change_of(a.flux, b.flux));
+  text += line_of("50 % angle, deg", shown(a.beam_angle), shown(b.beam_angle), change_of(a.beam_angle, b.beam_angle));
+  text +=
+      line_of("10 % angle, deg", shown(a.field_angle), shown(b.field_angle), change_of(a.field_angle, b.field_angle));
+  text += line_of("ends at, m", shown_extent(*one.fit), shown_extent(*other.fit), "");
+  return text + line_of("verdict", name_of(one.verdict->grade), name_of(other.verdict->grade), "");
+}
+
+std::string format_details(const Outcome& outcome) {
+  const LightFit& fit = *outcome.fit;
   Sheet sheet;
-  sheet.add("light", fit.light.name);
-  sheet.add("from", fit.target.file);
+  sheet.add_heading("Light");
   for (std::size_t i = 0; i < fit.target.source.size(); ++i) sheet.add(i == 0 ? "source" : "", fit.target.source[i]);
   for (std::size_t i = 0; i < fit.target.derived.size(); ++i) {
     sheet.add(i == 0 ? "derived" : "", fit.target.derived[i]);
@@ -250,17 +330,7 @@ std::string format_data_sheet(const LightFit& fit) {
   sheet.add("color", fmt::format("{} {} {}, linear RGB", shown_rounded(fit.light.color.r, 6),
                                  shown_rounded(fit.light.color.g, 6), shown_rounded(fit.light.color.b, 6)));
   if (fit.light.density_scale != 1) sheet.add("density scale", shown_number(fit.light.density_scale));
-  const double peak = luminance(candela(fit.light));
-  if (std::isfinite(peak)) sheet.add("candela", shown_rounded(peak, 9));
   if (fit.light.source_radius > 0) sheet.add("source radius", shown_rounded(fit.light.source_radius, 3) + " m");
-  if (fit.flux) {
-    const char* const shape = fit.cookie ? " by its cookie" : fit.cone ? " by its cone" : "";
-    sheet.add("light's flux",
-              fmt::format("{} lm{}", shown_number(*fit.flux), shape) +
-                  (fit.flux_error ? fmt::format("; {} of the data's flux", percent(fit.flux_error)) : ""));
-  }
-  const Verdict verdict = judge(fit);
-  sheet.add("verdict", fmt::format("{}: {}", name_of(verdict.grade), verdict.why));
   if (fit.target.luminaire) add_luminaire(sheet, fit);
   if (fit.elliptical_beam) add_elliptical_beam(sheet, fit);
   if (fit.range) {
@@ -268,9 +338,8 @@ std::string format_data_sheet(const LightFit& fit) {
     add_illuminance(sheet, fit);
   }
   if (fit.cone) add_cone(sheet, *fit.target.cone, *fit.cone);
-  const auto advice = advice_on(fit);
-  if (!advice.empty()) sheet.add_heading("Advice");
-  for (const std::string& sentence : advice) sheet.add("-", sentence);
+  if (!outcome.advice.empty()) sheet.add_heading("Advice");
+  for (const std::string& sentence : outcome.advice) sheet.add("-", sentence);
   return sheet.text();
 }
 

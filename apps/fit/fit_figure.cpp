@@ -170,17 +170,18 @@ std::vector<command::Chart> range_charts(const std::vector<Subject>& subjects) {
 
 // --- over angle ---
 
-/// The cone's data in degrees and, where the peak is known in it, candela.
+/// The cone's data in degrees and, where all lights have an inverse square, candela.
 struct ConeData {
   bool is_in_candela = false;
-  double unit = 1;                      ///< the peak
+  double unit = 1;                      ///< the peak of the data, of data without candela the light's
+  double light_unit = 1;                ///< the peak of the light as it is written
   std::vector<PlotPoint> targets = {};  ///< by increasing angle
   double end = 0;                       ///< degrees: of what is lit
 };
 
 bool has_candela(const std::vector<Subject>& subjects) {
-  return std::ranges::all_of(subjects,
-                             [](const Subject& subject) { return !subject.fit.cone || subject.fit.target.luminaire; });
+  return std::ranges::all_of(
+      subjects, [](const Subject& subject) { return !subject.fit.cone || subject.fit.peak.value_or(0) > 0; });
 }
 
 std::vector<const ConeProfileFit*> profiles_of(const Subject& subject) {
@@ -194,7 +195,12 @@ std::vector<const ConeProfileFit*> profiles_of(const Subject& subject) {
 ConeData cone_data(const Subject& subject, bool is_in_candela) {
   const ConeTarget& target = *subject.fit.target.cone;
   const double peak = peak_of(target.samples);
-  ConeData data{.is_in_candela = is_in_candela, .unit = is_in_candela ? peak : 1};
+  ConeData data{.is_in_candela = is_in_candela};
+  if (is_in_candela) {
+    data.light_unit = *subject.fit.peak;
+    data.unit = subject.fit.target.luminaire ? peak : subject.fit.target.peak.value_or(data.light_unit);
+    if (subject.fit.cookie) data.light_unit = data.unit;  // the peak is its cookie's, and none of a cone
+  }
   if (target.beam_angle) data.targets.push_back({files::degrees(*target.beam_angle / 2), 0.5 * data.unit});
   if (target.field_angle) data.targets.push_back({files::degrees(*target.field_angle / 2), 0.1 * data.unit});
   for (const auto& sample : target.samples) {
@@ -229,7 +235,8 @@ class Beam {
       : distribution_(*subject.fit.beam()),
         axis_(subject.fit.target.axis),
         is_round_(subject.fit.target.asymmetry <= kRoundBeam),
-        scale_(data.is_in_candela ? 1 : 1 / find_peak(distribution_).intensity) {}
+        scale_(subject.fit.target.luminaire && data.is_in_candela ? 1
+                                                                  : data.unit / find_peak(distribution_).intensity) {}
 
   bool is_round() const { return is_round_; }
 
@@ -302,7 +309,7 @@ std::vector<command::Chart> angle_charts(const std::vector<Subject>& subjects) {
     if (!subject.fit.cone) continue;
     const ConeData data = cone_data(subject, is_in_candela);
     end = std::max(end, data.end);
-    unit = std::max(unit, data.unit);
+    unit = std::max({unit, data.unit, data.light_unit});
   }
   if (end == 0) return {};
   std::vector<Series> lines, errors;
@@ -317,11 +324,11 @@ std::vector<command::Chart> angle_charts(const std::vector<Subject>& subjects) {
     int color = subject.color;
     for (const auto* profile : profiles_of(subject)) {
       lines.push_back(sampled(subject.name(facts_of(profile->cone.profile).name), color, 0, end,
-                              [&](double angle) { return value_of(*profile, data.unit, angle); }));
+                              [&](double angle) { return value_of(*profile, data.light_unit, angle); }));
       Series& error =
           errors.emplace_back(Series{.style = style_of(data.targets, SeriesStyle::line_and_points), .color = color++});
       for (const PlotPoint& point : data.targets) {
-        error.points.push_back({point.x, 100 * (value_of(*profile, data.unit, point.x) - point.y) / data.unit});
+        error.points.push_back({point.x, 100 * (value_of(*profile, 1, point.x) - point.y / data.unit)});
       }
     }
     SeriesStyle style = style_of(data.targets, SeriesStyle::points);
@@ -350,11 +357,11 @@ command::Chart polar_chart(const std::vector<Subject>& subjects) {
   for (const Subject& subject : subjects) {
     if (!subject.fit.cone) continue;
     const ConeData data = cone_data(subject, is_in_candela);
-    unit = std::max(unit, data.unit);
+    unit = std::max({unit, data.unit, data.light_unit});
     const ConeProfileFit& best = subject.fit.cone->best();
     lines.push_back(sampled(subject.name(facts_of(best.cone.profile).name),
                             subject.color + (subject.is_alone && &best != profiles_of(subject).front() ? 1 : 0),
-                            -data.end, data.end, [&](double angle) { return value_of(best, data.unit, angle); }));
+                            -data.end, data.end, [&](double angle) { return value_of(best, data.light_unit, angle); }));
     if (!subject.fit.beam()) continue;
     const Beam beam(subject, data);
     if (beam.is_round()) {

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "files/cone_json.h"
+#include "litfog/color_temperature.h"
 #include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/elliptical_beam.h"
 #include "text/shown_number.h"
@@ -94,20 +95,26 @@ void set_source_radius(Light& light, const LightTarget& target) {
 }
 
 /// What is known of the light as it is written.
-void set_flux(LightFit& fit) {
+void set_candela(LightFit& fit) {
   const LightTarget& target = fit.target;
-  if (!target.light_peak) return;
-  fit.flux = *target.light_peak * (fit.cookie ? flux_of(*fit.cookie) : flux_within(fit.light.cone, std::numbers::pi));
+  const double peak = luminance(candela(fit.light));
+  if (!std::isfinite(peak)) return;
+  fit.peak = peak;
+  fit.flux = peak * (fit.cookie ? flux_of(*fit.cookie) : flux_within(fit.light.cone, std::numbers::pi));
   const auto data = target.luminaire ? luminous_flux(target.luminaire->distribution) : target.flux;
   if (data) fit.flux_error = *fit.flux / *data - 1;
-  if (!target.luminaire || fit.cookie) return;
-  const double intensity = *target.light_peak * cone_at(fit.light.cone, std::cos(fit.peak_angle));
-  fit.peak_error = intensity / target.luminaire_peak.intensity - 1;
+  if (!target.light_peak || fit.cookie) return;
+  if (target.luminaire) {
+    const double intensity = peak * cone_at(fit.light.cone, std::cos(fit.peak_angle));
+    fit.peak_error = intensity / target.luminaire_peak.intensity - 1;
+  } else if (fit.light.attenuation.linear == 0) {
+    fit.peak_error = peak / *target.light_peak - 1;
+  }
 }
 
 }  // namespace
 
-LightFit fit_light(LightTarget target, bool is_robust) {
+LightFit fit_light(LightTarget target) {
   LightFit fit;
   fit.light.name = target.name;
   fit.light.color = target.size * target.color;
@@ -115,7 +122,6 @@ LightFit fit_light(LightTarget target, bool is_robust) {
   fit.light.flash = target.flash;
   fit.light.attenuation = {1, 0, 0};
   if (target.range) {
-    target.range->is_robust = is_robust;
     fit.range = fit_attenuation(*target.range);
     fit.light.attenuation = fit.range->attenuation;
     fit.light.threshold = fit.range->threshold;
@@ -139,7 +145,7 @@ LightFit fit_light(LightTarget target, bool is_robust) {
   if (fit.target.cookie_size > 0 && fit.beam()) {
     fit.cookie = bake_cookie(*fit.beam(), fit.target.cookie_size, fit.target.axis);
   }
-  set_flux(fit);
+  set_candela(fit);
   return fit;
 }
 
@@ -156,6 +162,29 @@ const IntensityDistribution* LightFit::beam() const {
 bool LightFit::is_proven() const {
   return (!range || range->status == AttenuationFitStatus::optimal) &&
          (!cone || cone->best().status == ConeFitStatus::optimal);
+}
+
+std::optional<double> LightFit::beam_error() const {
+  if (!beam()) return std::nullopt;
+  constexpr int kTurns = 72;
+  const glm::dmat3 frame = luminaire_from_light(target.axis);
+  const std::vector<AxialSample> circles = AxialBeam(*beam(), target.axis).profile();
+  const auto brightest = std::ranges::max_element(circles, {}, &AxialSample::mean);
+  const double cone_peak = brightest->mean, cookie_peak = find_peak(*beam()).intensity;
+  double square = 0, total = 0;
+  for (std::size_t i = 1; i < circles.size(); ++i) {
+    const double angle = std::midpoint(circles[i - 1].angle, circles[i].angle);
+    const double area = std::cos(circles[i - 1].angle) - std::cos(circles[i].angle);
+    const double by_cone = cone_peak * cone_at(light.cone, std::cos(angle));
+    for (int k = 0; k < kTurns; ++k) {
+      const glm::dvec3 direction = direction_of(PhotometryType::c, 2 * std::numbers::pi * k / kTurns, angle);
+      const double data = intensity_at(*beam(), frame * direction);
+      const double error = (cookie ? cookie_peak * cookie_at(*cookie, direction) : by_cone) - data;
+      square += area * error * error;
+      total += area * data * data;
+    }
+  }
+  return std::sqrt(square / total);
 }
 
 std::vector<std::string> active_constraints(const Cone& cone, const litfog::ConeTarget& target) {

@@ -23,22 +23,27 @@ struct LightFit {
   const IntensityDistribution* beam() const;
   double peak_angle = 0;         ///< photometric file: radians from the axis to the largest intensity
   std::optional<Cookie> cookie;  ///< the beam, replaces the cone if the target chooses so
-  /// Lumens of the light as it is written: its peak times the flux of its cone or cookie. Of a known peak.
-  std::optional<double> flux;
+  /// Candela of the light as it is written, where its cone or cookie is 1. Nothing where it is
+  /// infinite, without an inverse square.
+  std::optional<double> peak;
+  std::optional<double> flux;  ///< lumens of the light as it is written
   /// The light's flux over the data's, minus 1. The data's is the whole luminaire's, or as a spec states it.
   std::optional<double> flux_error;
-  /// Luminaires with a cone: the light's intensity over the luminaire's, minus 1, where the luminaire's is largest.
+  /// Not of a cookie: the light's intensity over the data's, minus 1, where a luminaire's is largest, or of a spec's
+  /// peak.
   std::optional<double> peak_error;
   bool is_proven() const;  ///< every fit is feasible, and shown to be the best
+
+  /// How far the light's cone or cookie is from its beam, whatever the axis: sqrt(integral of (light - I)^2 / integral
+  /// of I^2) over the sphere, for intensities I. Nothing without a beam.
+  std::optional<double> beam_error() const;
 };
 
 /// Metres, of the disc of a luminaire's opening, or the default.
 double unstated_source_radius(const LightTarget& target);
 
 /// Throws InputError for a stated source radius that the light's law cannot have.
-///
-/// is_robust  for the range's samples: outliers count less
-LightFit fit_light(LightTarget target, bool is_robust);
+LightFit fit_light(LightTarget target);
 
 /// The text of the bounds and given figures that hold a cone.
 std::vector<std::string> active_constraints(const Cone& cone, const ConeTarget& target);

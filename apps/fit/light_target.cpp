@@ -175,7 +175,7 @@ InputError error_at(const LightSpec& spec, const char* part, const TargetError& 
   constexpr double kMaxPercentage = 100;  // more is none, but may be lux
   const bool may_be_lux = field == std::string_view("attenuation") && value > kMaxPercentage;
   return spec.error_at(fmt::format("{}.{}", holder, field), fmt::format("{}", value),
-                       std::string(rule) + (may_be_lux ? "; of a table of lx give one row as illuminance" : ""));
+                       std::string(rule) + (may_be_lux ? "; lx belong in illuminance" : ""));
 }
 
 AttenuationFamily family_of(RangeSpec::Family family) {
@@ -205,15 +205,33 @@ UnitFlux unit_flux_of(const LightTarget& target) {
   return {flux_within(cone, std::numbers::pi), target.cone ? "the fitted cone" : "a point light"};
 }
 
+/// The candela whose inverse square is nearest to a table of illuminance, by the least squares of ln lx.
+double peak_of_table(const std::vector<RangeSpec::Illuminance>& rows, LightTarget& target) {
+  const auto candela_of = [](const RangeSpec::Illuminance& row) { return row.lux * row.range * row.range; };
+  double sum = 0, farthest = 0;
+  for (const auto& row : rows) sum += std::log(row.lux) + 2 * std::log(row.range);
+  const double peak = std::exp(sum / double(rows.size()));
+  for (const auto& row : rows) {
+    const double error = peak / candela_of(row) - 1;
+    if (std::abs(error) > std::abs(farthest)) farthest = error;
+  }
+  target.derived.push_back(fmt::format(
+      "Peak: {} cd, the geometric mean of lx * m^2 in the {} rows of illuminance, from which it is off by {} % "
+      "at most.",
+      shown_number(peak), rows.size(), shown_change(100 * farthest, 3)));
+  return peak;
+}
+
 /// The peak intensity that a spec's range states in one way or another, with the step that leads there.
 std::optional<double> stated_peak(const RangeSpec& range, LightTarget& target) {
-  if (range.illuminance) {
-    const auto& [metres, lux] = *range.illuminance;
+  if (range.illuminance.size() == 1) {
+    const auto& [metres, lux] = range.illuminance.front();
     const double peak = lux * metres * metres;
     target.derived.push_back(
         fmt::format("Peak: {} lx * ({} m)^2 = {} cd.", shown_number(lux), shown_number(metres), shown_number(peak)));
     return peak;
   }
+  if (!range.illuminance.empty()) return peak_of_table(range.illuminance, target);
   if (range.flux) {
     const UnitFlux unit = unit_flux_of(target);
     const double peak = *range.flux / unit.flux;
@@ -243,10 +261,10 @@ void expect_end(const LightSpec& spec, const LightTarget& target, double lux) {
   const auto end_at = [&](double end) { return compute_end(*target.light_peak, end, range.threshold); };
   const auto error_of = [&](double end) { return find_error(AttenuationTarget{.extent = end_at(end).extent}); };
   if (const auto error = error_of(lux)) {
-    const char* const member = !error_of(kEndIlluminance) ? "range.end_lx"
-                               : range.illuminance        ? "range.illuminance"
-                               : range.flux               ? "range.flux_lm"
-                                                          : "range.peak_cd";
+    const char* const member = !error_of(kEndIlluminance)   ? "range.end_lx"
+                               : !range.illuminance.empty() ? "range.illuminance"
+                               : range.flux                 ? "range.flux_lm"
+                                                            : "range.peak_cd";
     throw spec.error_at(member, "",
                         fmt::format("the extent that follows, {:.3g} m, {}", error->error.value, error->error.rule));
   }
@@ -391,6 +409,7 @@ LightTarget read_spec(const std::string& path, const FitChoices& choices) {
     expect_fittable(spec, *target.cone);
   }
   if (spec.range) set_range(spec, target);
+  if (target.range) target.range->is_robust = choices.is_robust;
   if (target.luminaire && !target.range) set_range_of_luminaire(target);
   return target;
 }

@@ -19,6 +19,9 @@ inline constexpr double kRoundBeam = 0.1;
 /// Source radius in metres of a light for which none is stated.
 inline constexpr double kDefaultSourceRadius = 0.05;
 
+/// Texels along a cookie's edge if --cookie-size does not state them.
+inline constexpr int kUnstatedCookieSize = 256;
+
 /// Which direction of a luminaire is the axis of its light.
 struct AxisChoice {
   enum class Kind {
@@ -38,8 +41,9 @@ struct FitChoices {
   /// Replaces the file's own; nothing within is the best of all.
   std::optional<std::optional<ConeProfile>> profile = std::nullopt;
   AxisChoice axis = {};
-  double tilt = 0;      ///< radians, by which a luminaire with tilt data is tilted as it is mounted
-  int cookie_size = 0;  ///< texels along an edge of the cookie that replaces the light's cone; 0: none
+  double tilt = 0;         ///< radians, by which a luminaire with tilt data is tilted as it is mounted
+  int cookie_size = 0;     ///< texels along an edge of the cookie that replaces the light's cone; 0: none
+  bool is_robust = false;  ///< outliers of a falloff table count less
 };
 
 /// A line of equal intensity of an elliptical beam, by its full angles.

@@ -28,6 +28,7 @@
 #include "command/uncaught.h"
 #include "files/angle_deg.h"
 #include "files/whole_file.h"
+#include "fit/advice.h"
 #include "fit/catalogue.h"
 #include "fit/data_sheet.h"
 #include "fit/fit_figure.h"
@@ -71,8 +72,9 @@ constexpr const char* kExplanation =
    "cone": {"beam_angle_deg": 11, "field_angle_deg": 22}}
 
 Range. extent_m is where the attenuation is to be the threshold (0.05 if not given) and is met exactly. In its place
-peak_cd, illuminance {"range_m", "lx"} or flux_lm puts it where the light gives end_lx (1 if not given): a number, or
-what an eye just sees: dark night (a mariner's), night, twilight, day or bright day (a pilot's). constant fixes C.
+peak_cd, illuminance {"range_m", "lx"} (or an array of them) or flux_lm puts it where the light gives end_lx (1 if not
+given): a number, or what an eye just sees: dark night (a mariner's), night, twilight, day or bright day (a pilot's).
+constant fixes C.
 samples are a falloff table; the fit minimises sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent
 alone is met by C = 1 and the family: quadratic (if not given), linear or mixed.
 
@@ -88,7 +90,7 @@ Color. color is linear RGB; color_temperature_k may stand in its place. Candela 
 Source. source_radius_m is the radius of the lamp's luminous disc, 0.05 if not given: near the lamp the light gives
 I / (r^2 + R^2). With a falloff table, which says how bright the light is there, it has none if not given.
 
-Figures that are derived from these are reported step by step, as "derived", and kept in the light's "source".
+Figures that are derived from these are in --details step by step, as "derived", and kept in the light's "source".
 
 A photometric file (IES LM-63 of any edition, EULUMDAT, TM-33, GLDF, or an isocandela table) is a light without a
 spec: its cone is fitted to the intensities at the file's own angles, each of weight 1, as the mean over the turn about
@@ -102,26 +104,28 @@ A light of I cd has C = 1, no L, and Q = 20 lx * size / I: a color of 1 stands f
 threshold) multiplies the color, so that the light gives end_lx where its attenuation is the threshold.
 
 The axis is the photometric one, down, or its opposite where the peak lies above the horizon, or the peak of a beam
-aimed elsewhere. The report says which, and --axis moves it: in degrees to the right and above of an isocandela table,
-else by the file's two angles. The report also measures how far a beam is from rotational symmetry, and --cookie keeps
-its shape as a cube map.
+aimed elsewhere. --details says which, and --axis moves it: in degrees to the right and above of an isocandela table,
+else by the file's two angles. --details also has how far a beam is from rotational symmetry, and --cookie keeps its
+shape as a cube map.
 
-An isocandela table is CSV, lines with # are comments. It is a grid of candela, with degrees to the right and above,
+An isocandela table is CSV with commas, or with semicolons and decimal commas; lines with # are comments. It is a grid
+of candela, with degrees to the right and above,
   vertical_deg,-10,-5,0,5,10
   5,300,1200,2000,1200,300
   0,400,1500,2500,1500,400
-or ellipses from the inner to the outer, with their half axes in degrees, beyond the last of which it is dark:
+or ellipses from the inner to the outer, with their half axes in degrees, beyond the last of which it is dark. Those of
+a standard are minima, and a lamp may be brighter:
   candela,horizontal_deg,vertical_deg
   5000,7,5
   500,11.5,6
 
-The optimum is global, and the report proves it by a lower bound on every other light's objective. The best light may
+The optimum is global, and --details proves it by a lower bound on every other light's objective. The best light may
 still be poor; the verdict says how well it follows the data. Its largest errors are
 )";
 
 constexpr const char* kExamples = R"(
 Examples:
-  litfog-fit landing-lamp.json                                the report
+  litfog-fit landing-lamp.json                                the report, in 15 lines; --details has more
   litfog-fit landing-lamp.json -o light.json --plot fit.png   the light, which litfog-solve and litfog-demo read
   litfog-fit flood.ies -o flood.json --cookie flood.exr --cookie-size 128
   litfog-fit specs/*.json lamps/*.ldt -o lights               a light each, and a table of all
@@ -138,7 +142,8 @@ struct Options {
   std::string against;
   std::string catalogue;
   FitChoices choices;
-  bool is_robust = false;
+  bool has_details = false;
+  bool is_forced = false;
   std::string plot;
   std::string cookie;
   TableFormat format = TableFormat::text;
@@ -235,8 +240,11 @@ OutputFiles files_to_write(const Options& options, const std::vector<Input>& inp
   for (const std::string& output : outputs) {
     if (!output.empty()) files.add(options.catalogue.empty() ? "-o" : "--catalogue", output);
   }
-  if (!options.plot.empty()) files.add("--plot", options.plot);
-  if (!options.cookie.empty()) files.add("--cookie", options.cookie);
+  for (const auto& [option, picture] : {std::pair{"--plot", &options.plot}, {"--cookie", &options.cookie}}) {
+    if (picture->empty()) continue;
+    files.add(option, *picture);
+    if (!options.is_forced) expect_picture_or_nothing(*picture);
+  }
   for (const Input& input : inputs) files.expect_apart_from(input.path);
   for (const Traits& trait : traits) {
     if (trait.photometry) files.expect_apart_from(*trait.photometry);
@@ -246,11 +254,11 @@ OutputFiles files_to_write(const Options& options, const std::vector<Input>& inp
 
 // --- one input ---
 
-LightTarget read(const Options& options, const Input& input) {
-  LightTarget target = input.container       ? target_of(input.container->read(input.path), input.path, options.choices)
-                       : is_spec(input.path) ? read_spec(input.path, options.choices)
-                                             : read_photometric_spec(input.path, options.choices);
-  if (!options.cookie.empty() && !target.luminaire && target.ellipses.empty()) {
+LightTarget read(const Input& input, const FitChoices& choices) {
+  LightTarget target = input.container       ? target_of(input.container->read(input.path), input.path, choices)
+                       : is_spec(input.path) ? read_spec(input.path, choices)
+                                             : read_photometric_spec(input.path, choices);
+  if (choices.cookie_size > 0 && !target.luminaire && target.ellipses.empty()) {
     throw litfog::InputError({input.path, 1, 1}, "cone.photometry", "",
                              "must be given for a cookie, or the angles of an elliptical beam");
   }
@@ -264,14 +272,16 @@ Outcome fit(const Options& options, const Input& input, const std::string& outpu
   outcome.output = output;
   try {
     if (input.error) std::rethrow_exception(input.error);
-    LightTarget target = read(options, input);
+    LightTarget target = read(input, options.choices);
     for (const std::string& file : files_of(input, target)) files.expect_apart_from(file);
-    if (options.catalogue.empty() && !output.empty()) expect_fitted_light_or_nothing(output);
-    const LightFit& fitted = outcome.fit.emplace(fit_light(std::move(target), options.is_robust));
+    if (options.catalogue.empty() && !options.is_forced && !output.empty()) expect_fitted_light_or_nothing(output);
+    const LightFit& fitted = outcome.fit.emplace(fit_light(std::move(target)));
     std::vector<std::string> source = fitted.target.source;
     source.insert(source.end(), fitted.target.derived.begin(), fitted.target.derived.end());
     outcome.light = litfog::format_light(fitted.light, source, fit_record(fitted));
     outcome.verdict = judge(fitted);
+    outcome.advice =
+        advice_on(fitted, options.choices, [&input](const FitChoices& other) { return read(input, other); });
     if (!fitted.is_proven() || outcome.verdict->grade == Grade::poor) outcome.status = kNotToTolerance;
   } catch (...) {
     fail(outcome);
@@ -399,7 +409,12 @@ std::string report_of(const Options& options, const Results& results) {
     for (const Summary& summary : summaries) text += (text.empty() ? "[\n" : ",\n") + summary.report;
     return text + "\n]\n";
   }
-  if (outcomes.size() == 1 && options.format == TableFormat::text) return format_data_sheet(*outcomes.front().fit);
+  if (options.format == TableFormat::text && std::ranges::all_of(outcomes, &Outcome::has_light)) {
+    if (outcomes.size() == 2) return format_comparison(outcomes[0], outcomes[1]);
+    if (outcomes.size() == 1) {
+      return format_report(outcomes[0]) + (options.has_details ? format_details(outcomes[0]) : "");
+    }
+  }
   Table table{.columns = summary_columns()};
   for (const Summary& summary : summaries) table.rows.push_back(summary.row);
   return format_table(table, options.format);
@@ -412,8 +427,11 @@ ExitStatus run(const CLI::App& app, const Options& options) {
   if (is_pair && inputs.size() != 2) {
     fail_option("--against", options.against, "must be one light, and so must the input");
   }
-  check_options(app, {{"several inputs", inputs.size() > 1 && !is_pair, {"--plot"}, "it shows a single light"},
-                      {"several inputs", inputs.size() > 1, {"--cookie"}, "it shows a single light"}});
+  check_options(
+      app, {{"several inputs", inputs.size() > 1 && !is_pair, {"--plot"}, "it shows a single light"},
+            {"several inputs", inputs.size() > 1, {"--cookie"}, "it shows a single light"},
+            {"several inputs", inputs.size() > 1, {"--details"}, "it shows a single light"},
+            {"no output", (options.output + options.plot + options.cookie).empty(), {"--force"}, "it replaces files"}});
   if (!options.plot.empty()) figure_format_of("--plot", options.plot);
   if (!options.cookie.empty() && fs::path(options.cookie).extension() != ".exr") {
     fail_option("--cookie", options.cookie, "must end in .exr");
@@ -487,6 +505,7 @@ int main(int argc, char** argv) {
          "Write the light here, where nothing is or a fitted light; of several inputs, NAME.json each in this folder, "
          "made if missing")
       ->type_name("FILE|FOLDER");
+  app.add_flag("--force", options.is_forced, "Replace files of other kinds by the light, the plot and the cookie");
   app.add_option("--against", options.against, "Another input: both in one table and one plot")->type_name("INPUT");
   app.add_option("--catalogue", options.catalogue,
                  "Write the lights, their pictures and a page of all of them, index.html, into this folder")
@@ -502,13 +521,16 @@ int main(int argc, char** argv) {
   profiles.emplace_back("best", std::nullopt);
   add_choice<std::optional<ConeProfile>>(app, "--profile", profile, profiles,
                                          "Cone profile, in place of the spec's own" + meanings);
-  app.add_flag("--robust", options.is_robust, "For measured falloff tables: samples that lie far off count less");
+  app.add_flag("--details", options.has_details,
+               "Report more of a single input: derived figures, errors of each sample, and how the optimum is proven");
+  app.add_flag("--robust", options.choices.is_robust,
+               "For measured falloff tables: samples that lie far off count less");
   app.add_option("--plot", options.plot, "Draw targets, fits and errors over range and angle")
       ->type_name("FILE.png|FILE.svg");
   CLI::Option* const cookie = app.add_option("--cookie", options.cookie,
                                              "Write a measured or elliptical beam as a cube map, six faces in a column")
                                   ->type_name("FILE.exr");
-  int cookie_size = 256;
+  int cookie_size = kUnstatedCookieSize;
   add_integer(app, "--cookie-size", cookie_size, 1, litfog::kMaxCookieSize,
               "Edge of a face in texels, 256 if not given")
       ->needs(cookie);
@@ -531,9 +553,10 @@ int main(int argc, char** argv) {
     if (!options.cookie.empty()) options.choices.cookie_size = cookie_size;
     if (app.count("--profile") > 0) options.choices.profile = profile;
     options.choices.tilt = litfog::files::radians(tilt_deg);
-    check_options(app, {{"--catalogue",
+    check_options(app, {{"--format csv or json", options.format != TableFormat::text, {"--details"}, "json has all"},
+                        {"--catalogue",
                          !options.catalogue.empty(),
-                         {"-o", "--plot", "--cookie", "--against"},
+                         {"-o", "--force", "--plot", "--cookie", "--against"},
                          "its folder holds the lights and their pictures"}});
     if (!options.against.empty()) options.inputs.push_back(options.against);
     return run(app, options);

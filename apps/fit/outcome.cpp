@@ -4,14 +4,14 @@
 #include <fmt/format.h>
 
 #include <CLI/Error.hpp>
+#include <algorithm>
 #include <exception>
 #include <filesystem>
 #include <new>
 #include <utility>
 
-#include "files/cone_json.h"
+#include "files/angle_deg.h"
 #include "files/json_text.h"
-#include "fit/advice.h"
 #include "fit/beam_data.h"
 #include "litfog/attenuation.h"
 #include "litfog/files/output_error.h"
@@ -63,9 +63,10 @@ std::string json_of(const BeamData& beam) {
 
 /// The beam of the light itself.
 std::string json_of(const LightFit& fit) {
-  return fmt::format(R"({{"peak_cd": {}, "flux_lm": {}, "flux_error": {}, "peak_error": {}}})",
-                     number_or_null(fit.target.light_peak), number_or_null(fit.flux), number_or_null(fit.flux_error),
-                     number_or_null(fit.peak_error));
+  std::string beam = json_of(light_beam(fit));
+  beam.pop_back();
+  return fmt::format(R"({}, "flux_error": {}, "peak_error": {}, "beam_error": {}}})", beam,
+                     number_or_null(fit.flux_error), number_or_null(fit.peak_error), number_or_null(fit.beam_error()));
 }
 
 std::string json_of(const std::vector<std::string>& sentences) {
@@ -85,7 +86,7 @@ std::string json_of(const Outcome& outcome) {
       text_or_null(outcome.verdict ? outcome.verdict->why : ""),
       outcome.fit ? json_of(beam_data(*outcome.fit)) : "null", outcome.fit ? json_of(*outcome.fit) : "null",
       text_or_null(has_axis ? describe_axis(*outcome.fit->target.luminaire, outcome.fit->target.axis) : ""),
-      outcome.fit ? json_of(outcome.fit->target.derived) : "[]", outcome.fit ? json_of(advice_on(*outcome.fit)) : "[]");
+      outcome.fit ? json_of(outcome.fit->target.derived) : "[]", json_of(outcome.advice));
   text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));
   while (text.ends_with('\n')) text.pop_back();
   return text + "}";
@@ -95,30 +96,25 @@ Cell percent_or_none(const std::optional<double>& fraction) {
   return fraction ? Cell(100 * *fraction) : Cell(std::monostate());
 }
 
-/// Profile, its parameters and rms error.
-std::vector<Cell> cone_cells(const LightFit& fit) {
-  const Cone& cone = fit.light.cone;
-  std::vector<Cell> cells{facts_of(cone.profile).name};
-  for (const ConeParameter& parameter : facts_of(cone.profile).parameters) {
-    cells.emplace_back(files::file_value(cone, parameter));
-  }
-  cells.resize(1 + kMaxConeParameters, std::monostate());
-  cells.push_back(percent_or_none(fit.cone ? std::optional(fit.cone->best().rms) : std::nullopt));
-  return cells;
-}
+Cell number_or_none(const std::optional<double>& number) { return number ? Cell(*number) : Cell(std::monostate()); }
 
 std::vector<Cell> row_of(const Outcome& outcome) {
   std::vector<Cell> row{outcome.input.path};
   if (outcome.fit) {
     const LightFit& fit = *outcome.fit;
-    const auto& [constant, linear, quadratic] = fit.light.attenuation;
-    row.insert(row.end(), {compute_extent(fit.light.attenuation, fit.light.threshold), constant, linear, quadratic});
-    for (Cell& cell : cone_cells(fit)) row.push_back(std::move(cell));
+    const BeamData light = light_beam(fit), data = beam_data(fit);
+    const auto angle = [](const std::vector<double>& angles) {
+      return angles.empty() ? Cell(std::monostate()) : Cell(files::degrees(std::ranges::max(angles)));
+    };
+    row.insert(row.end(), {compute_extent(fit.light.attenuation, fit.light.threshold), number_or_none(light.peak),
+                           number_or_none(data.peak), number_or_none(light.flux), number_or_none(data.flux),
+                           angle(light.beam_angle), angle(light.field_angle)});
+    row.push_back(percent_or_none(fit.cone ? std::optional(fit.cone->best().rms) : std::nullopt));
     row.push_back(percent_or_none(fit.cone ? fit.cone->best().flux_error : std::nullopt));
     row.push_back(fit.beam() ? Cell(fit.target.asymmetry) : Cell(std::monostate()));
     const bool has_samples = fit.range && !fit.target.range->samples.empty();
     row.push_back(has_samples ? Cell(100 * fit.range->largest_error) : Cell(std::monostate()));
-    row.insert(row.end(), {name_of(outcome.verdict->grade), double(advice_on(fit).size())});
+    row.insert(row.end(), {name_of(outcome.verdict->grade), double(outcome.advice.size())});
   }
   row.resize(summary_columns().size() - 1, std::monostate());
   row.emplace_back(status_of(outcome));
@@ -131,6 +127,7 @@ void fail(Outcome& outcome) {
   const auto set = [&outcome](command::ExitStatus status, const std::string& reason) {
     outcome.fit.reset();
     outcome.verdict.reset();
+    outcome.advice.clear();
     outcome.status = status;
     outcome.reason = reason;
   };
@@ -153,9 +150,9 @@ void fail(Outcome& outcome) {
 }
 
 const std::vector<std::string>& summary_columns() {
-  static const std::vector<std::string> columns{"input",     "extent_m", "constant", "linear", "quadratic",
-                                                "cone",      "first",    "second",   "rms_%",  "flux_%",
-                                                "asymmetry", "range_%",  "verdict",  "advice", "status"};
+  static const std::vector<std::string> columns{"input",     "extent_m", "candela",  "data_cd", "lumens",
+                                                "data_lm",   "50_%_deg", "10_%_deg", "rms_%",   "flux_%",
+                                                "asymmetry", "range_%",  "verdict",  "advice",  "status"};
   return columns;
 }
 

@@ -20,9 +20,12 @@ struct Outcome {
   std::string output;  ///< empty for none
   std::optional<LightFit> fit;
   std::optional<Verdict> verdict;
+  std::vector<std::string> advice;
   std::string light;   ///< text of its file
   std::string reason;  ///< why there is none
   command::ExitStatus status = command::kDone;
+
+  bool has_light() const { return fit.has_value(); }
 };
 
 /// Makes an outcome one without a light, by the exception that is being handled: every one is the input's own and names
@@ -37,7 +40,8 @@ struct Summary {
   std::string report;                     ///< JSON
 };
 
-/// Errors are signed fractions in percent, fit less data; range_% is the largest of a falloff table.
+/// Candela, lumens and full angles are the light's, data_cd and data_lm those that its data state. Errors are signed
+/// fractions in percent, fit less data; range_% is the largest of a falloff table.
 const std::vector<std::string>& summary_columns();
 
 /// has_report  whether the JSON report is wanted

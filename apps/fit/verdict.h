@@ -19,7 +19,7 @@ struct GradeLimits {
   double beam_angle;     ///< fraction of the 50 % angle
   double field_angle;    ///< fraction of the 10 % angle
   double asymmetry;      ///< rms fraction of the beam that no cone follows
-  double peak;           ///< fraction of a luminaire's largest intensity, where it has that
+  double peak;           ///< fraction of a stated peak, or of a luminaire's where it is largest
 };
 inline constexpr GradeLimits kGood{0.05, 0.15, 0.05, 0.1, 0.1, 0.15, 0.15, 0.15};
 inline constexpr GradeLimits kFair{0.2, 0.5, 0.1, 0.33, 0.25, 0.4, 0.4, 0.33};

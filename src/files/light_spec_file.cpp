@@ -88,10 +88,15 @@ void parse_end(const JsonValue& value, RangeSpec& range) {
   if (const auto peak = value.optional("peak_cd")) range.peak = positive_number(*peak);
   if (const auto flux = value.optional("flux_lm")) range.flux = positive_number(*flux);
   if (const auto illuminance = value.optional("illuminance")) {
-    if (!illuminance->is_object()) illuminance->fail("must be an object of range_m and lx, as one row of a table");
-    illuminance->allow_only({"range_m", "lx"});
-    range.illuminance = {.range = positive_number(illuminance->member("range_m")),
-                         .lux = positive_number(illuminance->member("lx"))};
+    const bool is_table = illuminance->is_array() && !illuminance->items().empty();
+    if (!illuminance->is_object() && !is_table) {
+      illuminance->fail("must be an object of range_m and lx, or an array of them, the rows of a table");
+    }
+    for (const JsonValue& row : is_table ? illuminance->items() : std::vector{*illuminance}) {
+      row.allow_only({"range_m", "lx"});
+      range.illuminance.push_back(
+          {.range = positive_number(row.member("range_m")), .lux = positive_number(row.member("lx"))});
+    }
   }
 }
 

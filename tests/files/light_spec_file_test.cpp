@@ -102,7 +102,7 @@ TEST_F(LightSpecFile, UnitsOfDataSheetsAreRead) {
   EXPECT_NEAR(luminance(spec.color), 1, 1e-15);
   EXPECT_EQ(spec.color, color_of_temperature(3200) / luminance(color_of_temperature(3200)));
   EXPECT_EQ(spec.range->end_illuminance, 8e-7);
-  EXPECT_EQ(spec.range->illuminance, (RangeSpec::Illuminance{.range = 10, .lux = 120}));
+  EXPECT_EQ(spec.range->illuminance, (std::vector{RangeSpec::Illuminance{.range = 10, .lux = 120}}));
   EXPECT_EQ(error_of(R"("color_temperature_k": 900, "range": {"extent_m": 1})"),
             "f.json:2:24: color_temperature_k = 900: must be in [1000, 25000]");
   EXPECT_EQ(error_of(R"("color": [1, 1, 1], "color_temperature_k": 3000, "range": {"extent_m": 1})"),

@@ -129,7 +129,7 @@ TEST_F(LightTargetFile, LightHasTheCandelaAndTheEndThatAreStated) {
   const auto expect_light = [this](const std::string& range, double peak, double end) {
     const LightTarget target =
         read(R"({"litfog": "light-spec", "version": 1, "color": [2, 0.5, 0], "range": {)" + range + "}}");
-    const Light light = fit_light(target, false).light;
+    const Light light = fit_light(target).light;
     EXPECT_NEAR(candela(light).r / peak, 2, 2 * kLightEndMaxError) << range;
     EXPECT_NEAR(candela(light).g / peak, 0.5, kLightEndMaxError) << range;
     const double extent = compute_extent(light.attenuation, light.threshold);
@@ -139,6 +139,7 @@ TEST_F(LightTargetFile, LightHasTheCandelaAndTheEndThatAreStated) {
   expect_light(R"("peak_cd": 400, "end_lx": 4)", 400, 4);
   expect_light(R"("peak_cd": 400, "end_lx": 4, "threshold": 0.2)", 400, 4);
   expect_light(R"("illuminance": {"range_m": 10, "lx": 4})", 400, 1);
+  expect_light(R"("illuminance": [{"range_m": 1, "lx": 100}, {"range_m": 2, "lx": 400}])", 400, 1);
   expect_light(R"("peak_cd": 80, "end_lx": "night")", 80, 8e-7);
   expect_light(R"("peak_cd": 10, "end_lx": "bright day")", 10, 1e-3);
   expect_light(R"("flux_lm": 1256.6370614359173, "end_lx": 9)", 100, 9);
@@ -181,7 +182,7 @@ TEST_F(LightTargetFile, FluxGivesThePeakByTheConesSolidAngle) {
   const LightTarget lamp = read(R"({"litfog": "light-spec", "version": 1, "range": {"flux_lm": 10000, "end_lx": 4},
                                     "cone": {"profile": "cosine", "half_angle_deg": 90, "beam_angle_deg": 120}})");
   EXPECT_NEAR(*lamp.peak, 10000 / pi, 1e-6) << "a cosine's solid angle is pi";
-  const Light light = fit_light(lamp, false).light;
+  const Light light = fit_light(lamp).light;
   EXPECT_NEAR(flux_within(light.cone, pi) * candela(light).r, 10000, 1e-6) << "the fitted light has the flux";
 
   write("lamp.ies", kIes);
@@ -215,7 +216,7 @@ TEST_F(LightTargetFile, EllipticalBeamIsFittedByTheConeOfItsFlux) {
   EXPECT_NEAR(*target.cone->beam_angle * 180 / pi, 12, 0.1) << "nearly the geometric mean";
   ASSERT_EQ(target.ellipses.size(), 2u);
   EXPECT_EQ(target.derived.front().substr(0, 36), "Beam angle: 24 x 6 deg is 11.9938 de");
-  const LightFit fit = fit_light(target, false);
+  const LightFit fit = fit_light(target);
   ASSERT_TRUE(fit.beam());
   EXPECT_NEAR(luminous_flux(*fit.beam()) / flux_within(fit.light.cone, pi), 1, 0.005);
   EXPECT_GT(fit.target.asymmetry, 0.3);
@@ -233,7 +234,7 @@ TEST_F(LightTargetFile, EllipticalBeamIsFittedByTheConeOfItsFlux) {
 TEST_F(LightTargetFile, AsymmetryOfAnEllipticalBeamIsThatOfItsShape) {
   const auto asymmetry_of = [this](const std::string& angles) {
     const std::string spec = R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": )" + angles + "}}";
-    return fit_light(read(spec), false).target.asymmetry;
+    return fit_light(read(spec)).target.asymmetry;
   };
   const double of_two = asymmetry_of("[2, 1]");
   EXPECT_GT(of_two, 0.2);
@@ -248,7 +249,7 @@ TEST_F(LightTargetFile, RoundPairIsARoundBeam) {
   const LightTarget target =
       read(R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": [11, 11], "field_angle_deg": 22}})");
   EXPECT_TRUE(target.ellipses.empty());
-  EXPECT_FALSE(fit_light(target, false).beam());
+  EXPECT_FALSE(fit_light(target).beam());
 }
 
 TEST_F(LightTargetFile, WrongAnglesOfAnEllipticalBeamAreErrors) {
@@ -307,7 +308,7 @@ TEST_F(LightTargetFile, WrongMemberIsAnErrorAtItsLocation) {
 
 TEST_F(LightTargetFile, SourceRadiusIsAsStatedOrOfTheOpeningOrAssumed) {
   const auto radius_of = [this](const std::string& members) {
-    return fit_light(read("{\"litfog\": \"light-spec\", \"version\": 1,\n" + members + "}"), false).light.source_radius;
+    return fit_light(read("{\"litfog\": \"light-spec\", \"version\": 1,\n" + members + "}")).light.source_radius;
   };
   const auto error_of_radius = [&](const std::string& members) {
     try {
