@@ -50,7 +50,7 @@ inline constexpr double kEffectiveIntensityMaxError = 1e-8;
 /// The intensity of a lamp with 1 / r^2 that loses as much light to the fog as a light with an attenuation does: the
 /// integral of d e^(-d r) r^2 a(r) over r, m^2. A photometric light has 1 / Q of thin fog.
 ///
-/// density    d, 1/m, finite, > 0; below 1e-100 it counts as that
+/// density    d, 1/m, finite, > 0; below 1e-100 and above 1e100 it counts as that
 /// max error  kEffectiveIntensityMaxError relative                                       (multiple_scattering_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 double effective_intensity(const Attenuation& attenuation, double density);

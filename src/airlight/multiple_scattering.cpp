@@ -20,8 +20,9 @@ using airlight_text::NoCookie;
 using airlight_text::Text;
 using std::clamp, std::exp, std::log, std::max, std::min;
 
-/// 1/m: thinner fog has no light that is scattered twice, and the squares of its distances have no double.
-constexpr double kThinnest = 1e-100;
+/// 1/m: thinner fog has no light that is scattered twice. In it and in thicker fog than the other, squares have no
+/// double.
+constexpr double kThinnest = 1e-100, kThickest = 1e100;
 
 /// The table of the shaders has this many steps to one of data/scattering/point.csv: between nodes that stand so close
 /// bilinear interpolation does.
@@ -202,7 +203,7 @@ double effective_intensity(const Attenuation& attenuation, double density) {
   if (!(density > 0 && std::isfinite(density))) {
     require(ValueError{"density", density, "must be finite and > 0"});
   }
-  density = std::max(density, kThinnest);
+  density = std::clamp(density, kThinnest, kThickest);
   // Over t = ln(d r) the integrand e^(3 t - e^t) a / d^2 is analytic but for the knee, in strips of half width pi / 2.
   constexpr double kFirst = -20, kLast = 4;  // e^-20 and e^-(e^4) of the whole are left out at most
   const double knee = std::log(density * unchecked::compute_extent(attenuation, 1));
@@ -250,7 +251,8 @@ double multiple_scattering(const PlacedLight& light, const ScatteringSource& sou
   require(find_error(ray));
   require(find_scattering_error(atmosphere));
   if (!(source.intensity > 0)) return 0;
-  const Fog fog = unchecked::scaled(atmosphere.fog, light.light.density_scale);
+  Fog fog = unchecked::scaled(atmosphere.fog, light.light.density_scale);
+  fog.density = std::min(fog.density, kThickest);
   const NoCookie no_cookie;
   ScatteringText text{{no_cookie, atmosphere.profile}, &table, &source.beam};
   const auto air = text.seen_along(light, 0, fog, ray, LampLeg::fogged, phase_text::pack<double>(atmosphere.phase));

@@ -101,7 +101,7 @@ TEST(EffectiveIntensity, InDenseFogIsThatOfTheNearLight) {
   }
 }
 
-TEST(EffectiveIntensity, FogTooThinForDoublesCountsAsThinFog) {
+TEST(EffectiveIntensity, FogTooThinOrTooThickForDoublesCountsAsTheLimit) {
   for (const Attenuation& attenuation : {Attenuation{0.23, 0.52, 0}, Attenuation{1, 0.1, 0.01}, Attenuation{1, 0, 0}}) {
     for (const double density : {1e-101, 1e-160, 1e-308}) {
       const double found = effective_intensity(attenuation, density);
@@ -111,6 +111,10 @@ TEST(EffectiveIntensity, FogTooThinForDoublesCountsAsThinFog) {
       lamp.light.attenuation = attenuation;
       EXPECT_EQ(scattering_of(lamp, uniform_fog(density), ray_at(0.2)), 0);
     }
+    PlacedLight lamp = inverse_square_lamp({});
+    lamp.light.attenuation = attenuation;
+    const double in_lamp = scattering_of(lamp, uniform_fog(1e304), ray_at(0.2, 1));
+    EXPECT_TRUE(std::isfinite(in_lamp) && in_lamp >= 0) << in_lamp;
   }
 }
 

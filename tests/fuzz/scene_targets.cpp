@@ -16,13 +16,13 @@
 #include <utility>
 #include <vector>
 
-#include "command/csv.h"
 #include "demo/sequence/camera_path.h"
 #include "fuzz/fuzz_target.h"
 #include "image/png_text.h"
 #include "scene/file/gltf_scene.h"
 #include "scene/file/scene_file.h"
 #include "scene/gltf_bytes.h"
+#include "text/csv.h"
 
 namespace litfog::test {
 namespace {
@@ -31,18 +31,18 @@ void read_csv(std::string_view bytes) {
   if (bytes.empty()) return;
   expect_read_or_refused(bytes, "table", [&] {
     std::FILE* const file = fmemopen(const_cast<char*>(bytes.data()), bytes.size(), "r");
-    command::CsvReader reader(file, "table");
-    command::CsvRecord record;
+    CsvReader reader(file, "table");
+    CsvRecord record;
     while (reader.read(record)) {
       for (std::size_t i = 0; i < record.size(); ++i) {
         EXPECT_GE(record.raw(i + 1).size(), record.raw(i).size());
-        std::string quoted = command::csv_quoted(record.field(i));
+        std::string quoted = csv_quoted(record.field(i));
         if (record.error() || record.field(i).find_first_of("\r\n") != std::string_view::npos || quoted.empty())
           continue;
         if (quoted.starts_with("\xEF\xBB\xBF")) continue;  // a byte order mark is skipped
         std::FILE* const again = fmemopen(quoted.data(), quoted.size(), "r");
-        command::CsvReader field_reader(again, "field");
-        command::CsvRecord field;
+        CsvReader field_reader(again, "field");
+        CsvRecord field;
         EXPECT_TRUE(field_reader.read(field));
         EXPECT_EQ(field.field(0), record.field(i)) << quoted;
         std::fclose(again);
