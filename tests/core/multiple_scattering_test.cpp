@@ -115,6 +115,11 @@ TEST(EffectiveIntensity, FogTooThinOrTooThickForDoublesCountsAsTheLimit) {
     lamp.light.attenuation = attenuation;
     const double in_lamp = scattering_of(lamp, uniform_fog(1e304), ray_at(0.2, 1));
     EXPECT_TRUE(std::isfinite(in_lamp) && in_lamp >= 0) << in_lamp;
+    // Beside a beam, where the closest approach is behind the eye by a rounding.
+    lamp.light.cone = Cone::cosine(0.25, 118);
+    EyeRay beside = ray_at(pi / 2, 0);
+    beside.origin = {2.4e-15, 0.47, 0};
+    EXPECT_EQ(scattering_of(lamp, uniform_fog(1e272), beside), 0);
   }
 }
 

@@ -176,7 +176,8 @@ LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL beam, LIT
   LITFOG_REAL beyond = litfog_scattered_from(air, -air.approach, LITFOG_REAL(0.0));
   for (int i = 0; i < pieces; ++i) {
     LITFOG_REAL t = first + (last - first) * LITFOG_REAL(i + 1) / LITFOG_REAL(pieces);
-    LITFOG_REAL end = i + 1 < pieces ? min(air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)), farthest) : farthest;
+    LITFOG_REAL end = i + 1 < pieces ? air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)) : farthest;
+    end = clamp(end, begin, max(begin, farthest));
     LITFOG_REAL next = litfog_scattered_beyond(air, end, LITFOG_REAL(0.0));
     sum += max(beyond - next, LITFOG_REAL(0.0)) * litfog_beam_share(air, LITFOG_REAL(0.5) * (begin + end) - air.approach, beam, phase_cosine);
     begin = end;
