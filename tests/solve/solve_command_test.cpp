@@ -543,6 +543,8 @@ TEST_F(SolveCommand, BatchOfAnEmptyFileOrOfGarbageIsBadInput) {
   EXPECT_ERROR(run_batch(std::string("\x7F\x45LF\0\0\xFF\n,,\"", 11)), kBadInput,
                "rows.csv:1:1: column fog: must be given in the header\n");
   EXPECT_ERROR(run_batch(std::string(3 << 20, ',')), kBadInput,
+               "rows.csv:1:1: header: record must not have more than 65,536 fields\n");
+  EXPECT_ERROR(run_batch(std::string(3 << 20, 'x')), kBadInput,
                "rows.csv:1:1: header: record must not be longer than 1 MiB\n");
   EXPECT_ERROR(run("--csv absent.csv"), kBadInput, "absent.csv: cannot be read: No such file or directory\n");
   EXPECT_ERROR(run("--csv ."), kBadInput, ".: cannot be read: Is a directory\n");
