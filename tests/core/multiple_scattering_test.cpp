@@ -257,6 +257,7 @@ double largest_step(const Value& value, int steps) {
   double largest = 0, before = value(0.0);
   for (int i = 1; i <= steps; ++i) {
     const double now = value(double(i) / steps);
+    EXPECT_TRUE(std::isfinite(now)) << i << " of " << steps;
     largest = std::max(largest, std::abs(now - before) / std::max(now, before));
     before = now;
   }

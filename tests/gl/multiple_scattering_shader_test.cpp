@@ -37,7 +37,7 @@ gl::TextureName linear_texture(int unit, GLint format, GLsizei width, GLsizei he
   return texture;
 }
 
-// Of a point lamp and of two cones along rays in fog of density 1.
+// A point lamp and two cones are seen along rays in fog of density 1.
 TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
   for (const Phase& phase : {Phase{}, Phase::droplets(10)}) {
     const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = phase};
@@ -93,6 +93,7 @@ TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
     double largest = 0;
     for (std::size_t i = 0; i < results.size(); ++i) {
       const ScatteringSource& source = sources[i % 3];
+      ASSERT_TRUE(std::isfinite(results[i].x)) << i;
       const double expected = multiple_scattering(lamps[i], source, air, table, rays[i]) / source.intensity;
       // Rays that end are differences of the endless ones.
       EyeRay endless = rays[i];
