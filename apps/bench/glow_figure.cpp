@@ -60,8 +60,9 @@ struct Lamp {
       methods.push_back({name, {.name = title, .style = style, .color = color}, std::move(glow)});
     };
     using enum command::SeriesStyle;
-    const ScatteringSource source = scattering_source(light.light, air, {});
-    const double tau = depth, mean_cosine = source.phase_cosine;
+    ScatteringSource source;
+    source.intensity = source_intensity(light.light, air);
+    const double tau = depth, mean_cosine = litfog::mean_cosine(air.phase);
     const auto once = [lamp = light, fog = air](double angle) { return kQuadratic * airlight(lamp, fog, ray(angle)); };
     add("reference", "", line, 7, [lamp = light, fog = air, tau, reference](double angle) {
       return kQuadratic * reference_airlight(lamp, fog, ray(angle)) + reference.at(tau, angle);

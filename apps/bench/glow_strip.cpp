@@ -75,7 +75,8 @@ std::string draw_glow_strip(bool quick) {
     lamp.position.z = -kRange;
     lamp.light.attenuation = {.constant = 0, .linear = 0, .quadratic = kQuadratic};
     lamp.light.threshold = 1e-17;
-    const ScatteringSource source = scattering_source(lamp.light, air, {});
+    ScatteringSource source;
+    source.intensity = source_intensity(lamp.light, air);
     const double depth = air.fog.density * kRange;
     const double disc = std::atan(kLampPixels * std::tan(kHalfView) / (width / 2.));
     // The light that no fog took, spread over the disc.

@@ -69,7 +69,7 @@ struct ScatteringSource {
 /// throws  std::invalid_argument naming field, value and rule
 double source_intensity(const Light& light, const Atmosphere& atmosphere);
 
-/// beams   of the atmosphere; not looked at for a point lamp
+/// beams   of the atmosphere
 /// throws  std::invalid_argument naming field, value and rule
 ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosphere, const ThinBeams& beams);
 
@@ -101,7 +101,7 @@ inline constexpr double kDropletConeScatteringTypicalError = 1.2;
 
 /// M of a light along a ray, in the unit of airlight().
 ///
-/// source     the light's
+/// source     the light's; of a point lamp the intensity is enough
 /// table      that of the atmosphere
 /// max error  of A + M, as above                                                        (multiple_scattering_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule

@@ -288,9 +288,12 @@ void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere,
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
   for (const EyeRay& ray : rays) require(find_error(ray));
-  const ScatteringSource source = light.light.cone.is_point_light()
-                                      ? scattering_source(light.light, atmosphere, {})
-                                      : scattering_source(light.light, atmosphere, make_thin_beams(atmosphere, table));
+  ScatteringSource source;
+  if (light.light.cone.is_point_light()) {
+    source.intensity = source_intensity(light.light, atmosphere);  // all that rays need
+  } else {
+    source = scattering_source(light.light, atmosphere, make_thin_beams(atmosphere, table));
+  }
   for (std::size_t i = 0; i < rays.size(); ++i) {
     scattered[i] = multiple_scattering(light, source, atmosphere, table, rays[i]);
   }
