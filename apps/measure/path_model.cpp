@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 
+#include "litfog/color_temperature.h"
 #include "litfog/directional_airlight.h"
 #include "litfog/photometry/cookie_airlight.h"
 #include "measure/airlight_bound.h"
@@ -104,9 +105,23 @@ glm::dvec3 PathModel::surface_color(const SurfacePoint& point) const {
 }
 
 glm::dvec3 PathModel::without_lamps(const SurfacePoint& point) const {
-  const glm::dvec3 color = point.emissive + point.ambient * glm::dvec3(environment_.ambient_light);
+  const glm::dvec3 color =
+      point.emissive + point.ambient * glm::dvec3(environment_.ambient_light) + point.diffuse * scattered_light(point);
   const glm::dvec3 moonlit = moonlight(point);
   return moonlit == glm::dvec3(0.0) || is_in_moon_shadow(point) ? color : color + moonlit;
+}
+
+glm::dvec3 PathModel::scattered_light(const SurfacePoint& point) const {
+  if (!scattering_ || !path_.takes_scattered_light) return glm::dvec3(0.0);
+  glm::dvec3 all(0.0);
+  DiffuseLight light;  // its luminance
+  for (const ReferenceLight& lamp : lights_) {
+    const glm::dvec3& color = lamp.placed.light.color;
+    const DiffuseLight scattered = litfog::scattered_light(lamp.placed, lamp.source, atmosphere_, point.position);
+    all += scattered.all * color;
+    light += luminance(color) * scattered;
+  }
+  return light.all > 0 ? all * (irradiance(light, point.normal) / light.all) : glm::dvec3(0.0);
 }
 
 glm::dvec3 PathModel::moonlight(const SurfacePoint& point) const {

@@ -63,7 +63,7 @@ class PathModel {
   /// What a surface sends to the eye, before fog: without_lamps + sum over the lights, except those in whose shadow it
   /// is, of color * emitted * falloff * reflectance.
   glm::dvec3 surface_color(const SurfacePoint& point) const;
-  /// Its emissive, ambient and directional light.
+  /// Its emissive, ambient and directional light, and that which the fog scatters.
   glm::dvec3 without_lamps(const SurfacePoint& point) const;
   /// A light's attenuation by the path's range law and, lit by airlight, by the fog between it and a height at that
   /// range; 0 beyond its extent.
@@ -112,6 +112,8 @@ class PathModel {
   static constexpr double kAirlightBudget = 1e-6;
 
  private:
+  /// What the fog around a point scatters on it of the light of all lamps.
+  glm::dvec3 scattered_light(const SurfacePoint& point) const;
   /// The airlight of a light of colour 1.
   double airlight(const ReferenceLight& light, const EyeRay& ray) const;
 

@@ -151,6 +151,10 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
   return {.ev = exposure_, .is_auto = exposure.is_auto};
 }
 
+FrameLight Renderer::frame_light() const {
+  return {.shadows = shadows(), .scattered = airlight_ && airlight_->scattered ? &*airlight_->scattered : nullptr};
+}
+
 View Renderer::view() const {
   View view = view_of(relative_to(lights_.origin(), scene_.camera), {width(), height()},
                       atmosphere_.top_above(scene_.camera.position.y));
@@ -195,7 +199,7 @@ double Renderer::count_lights_per_fragment() {
   const Framebuffer counts(width(), height(), Passes::several, samples());  // floats, because half floats end at 65,504
   begin_frame(counts, glm::vec3(0));
   Interruption whole;
-  surfaces_.draw(light_count_path(), plan, view, nullptr, whole);
+  surfaces_.draw(light_count_path(), plan, view, {}, whole);
   end_depths();
   counts.resolve();
   const Picture counted = counts.read();
@@ -245,11 +249,14 @@ FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints l
   clock.end(&StageTimes::surfaces);
   sampler_states_.set(framebuffer_);
   if (airlight_) airlight_->far.draw({width(), height()}, view, atmosphere_);
+  if (airlight_ && airlight_->scattered) {
+    airlight_->scattered->draw({width(), height()}, view, airlight_->far, airlight_->higher_orders);
+  }
   clock.end(&StageTimes::airlight);
   sampler_states_.set(framebuffer_);
   begin_frame(framebuffer_, atmosphere_.ambient_fog_color);  // SkyDrawing::background
   Interruption interruption(is_unwanted_);
-  counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view, shadows(), interruption);
+  counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view, frame_light(), interruption);
   if (interruption.has_come()) {
     end_depths();
     throw Interrupted{};
@@ -282,7 +289,7 @@ void Renderer::draw_geometry(const GeometryBuffer& geometry) {
   glEnable(GL_CULL_FACE);
   Interruption whole;
   const View view = this->view();
-  surfaces_.draw(geometry_path(*settings_.path), planner_.plan_geometry(view.clip_from_world), view, nullptr, whole);
+  surfaces_.draw(geometry_path(*settings_.path), planner_.plan_geometry(view.clip_from_world), view, {}, whole);
   geometry.end();
   gl::check_errors("drawing the geometry");
 }
@@ -292,8 +299,7 @@ void Renderer::draw_pane_geometry(const GeometryBuffer& geometry, int layer) {
   geometry.begin_layer(layer);
   glEnable(GL_CULL_FACE);
   const View view = this->view();
-  surfaces_.draw_panes(geometry_path(*settings_.path), planner_.plan_geometry(view.clip_from_world), view, nullptr,
-                       nullptr);
+  surfaces_.draw_panes(geometry_path(*settings_.path), planner_.plan_geometry(view.clip_from_world), view, {}, nullptr);
   geometry.end();
   gl::check_errors("drawing the geometry of panes");
 }
@@ -302,7 +308,7 @@ std::size_t Renderer::draw_panes(const View& view, const FramePlan& plan) {
   const auto airlight = airlight_ ? std::optional(PaneAirlight{airlight_->lights, airlight_->far}) : std::nullopt;
   Compositor::begin_panes();
   const std::size_t bytes =
-      surfaces_.draw_panes(*settings_.path, plan, view, shadows(), airlight ? &*airlight : nullptr);
+      surfaces_.draw_panes(*settings_.path, plan, view, frame_light(), airlight ? &*airlight : nullptr);
   Compositor::end_panes();
   return bytes;
 }

@@ -10,6 +10,7 @@
 #include "render/airlight/airlight_lights.h"
 #include "render/airlight/airlight_pyramid.h"
 #include "render/airlight/far_airlight.h"
+#include "render/airlight/scattered_light.h"
 #include "render/airlight/seen_ranges.h"
 #include "render/compose/compositor.h"
 #include "render/display.h"
@@ -119,6 +120,7 @@ class Renderer {
 
  private:
   View view() const;
+  FrameLight frame_light() const;
   FrameView frame_view(const View& view, const FrameExposures& exposures) const;
   Passes passes() const { return settings_.path->has_several_passes() ? Passes::several : Passes::one; }
   /// The parts of FogLighting::airlight: the lights drawn, where rays end, and the airlight within and beyond extents.
@@ -126,11 +128,14 @@ class Renderer {
     AirlightLights lights;
     HigherOrderTextures higher_orders;
     FarAirlight far;
+    std::optional<ScatteredLight> scattered;  // on surfaces
     SeenRanges seen;
     AirlightPyramid pyramid;
 
     Airlight(const gl::FogLightBuffer& fog, int samples, const RenderSettings& settings)
-        : far(fog), seen(samples), pyramid(fog, settings) {}
+        : far(fog), seen(samples), pyramid(fog, settings) {
+      if (has_scattered_light(settings)) scattered.emplace(fog);
+    }
     void set_size(glm::ivec2 size);
   };
 

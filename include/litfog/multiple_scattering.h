@@ -121,19 +121,37 @@ inline double multiple_scattering(const PlacedLight& light, const Atmosphere& at
   return scattered;
 }
 
-/// Largest error of scattered_irradiance() of a point lamp, as a fraction of (1 - f) I / r^2, what of its light is
-/// scattered on a distance r with the fog factor f.
-inline constexpr double kScatteredIrradianceMaxError = 0.1;
+/// Light that comes from many directions, of one lamp or of several: the lights of lamps add up.
+struct DiffuseLight {
+  double all = 0;        ///< the integral of the radiance over all directions
+  glm::dvec3 flow{0.0};  ///< that of the radiance times the direction in which it travels
 
-/// Light that a surface receives from the fog around it, in the unit of a(r) cone(u) f(r) cos, which it receives from
-/// the lamp itself. At the distance of one visibility from a lamp it is several times that.
+  DiffuseLight& operator+=(const DiffuseLight& other) { return all += other.all, flow += other.flow, *this; }
+  friend DiffuseLight operator*(double scale, const DiffuseLight& light) {
+    return {.all = scale * light.all, .flow = scale * light.flow};
+  }
+};
+
+/// What the fog around a place has scattered of a lamp's light, once or more often. Irradiances are in the unit of
+/// a(r) cone(u) f(r) cos, which a surface receives from the lamp itself.
 ///
-/// source     the light's
-/// position   of the surface, metres
+/// source    the light's
+/// position  of the place, metres
+/// throws    std::invalid_argument naming field, value and rule
+DiffuseLight scattered_light(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
+                             const glm::dvec3& position);
+
+/// Largest error of the irradiance() of a point lamp's scattered_light(), as a fraction of (1 - f) I / r^2, what of the
+/// lamp's light is scattered on a distance r with the fog factor f; and of the sum of several lamps', which is largest
+/// between two lamps that shine at each other.
+inline constexpr double kScatteredIrradianceMaxError = 0.04;
+inline constexpr double kSummedIrradianceMaxError = 0.25;
+
+/// What a surface receives of diffuse light. At the distance of one visibility from a lamp its scattered light is
+/// several times the lamp's own.
+///
 /// normal     unit vector
 /// max error  as above                                                                  (multiple_scattering_test.cpp)
-/// throws     std::invalid_argument naming field, value and rule
-double scattered_irradiance(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
-                            const glm::dvec3& position, const glm::dvec3& normal);
+double irradiance(const DiffuseLight& light, const glm::dvec3& normal);
 
 }  // namespace litfog

@@ -129,6 +129,9 @@ struct ScatteringText : Text<double, NoCookie> {
 #define LITFOG_REAL double
 #define LITFOG_CONSTANT static constexpr
 #define litfog_expm1 std::expm1
+#define LITFOG_FUNCTION static
+#include "litfog/shaders/diffuse_light.glsl"  // undefines LITFOG_REAL
+#define LITFOG_REAL double
 #include "litfog/shaders/multiple_scattering.glsl"  // undefines both
 #undef litfog_expm1
 };
@@ -260,25 +263,29 @@ double multiple_scattering(const PlacedLight& light, const ScatteringSource& sou
                                             : text.litfog_multiple_scattering(air));
 }
 
-double scattered_irradiance(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
-                            const glm::dvec3& position, const glm::dvec3& normal) {
+DiffuseLight scattered_light(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
+                             const glm::dvec3& position) {
   require(find_error(light));
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
-  require(find_error(EyeRay{.origin = position, .direction = normal}));
+  require(find_error(EyeRay{.origin = position, .direction = light.direction}));
   const glm::dvec3 offset = position - light.position;
   const double range = glm::length(offset);
-  if (!(source.intensity > 0) || !(range > 0)) return 0;
+  if (!(source.intensity > 0) || !(range > 0)) return {};
   const glm::dvec3 away = offset / range, axis = glm::normalize(light.direction);
   const double cosine = std::clamp(glm::dot(away, axis), -1.0, 1.0);
   const glm::dvec3 turned = away * cosine - axis;
   const double sine = glm::length(turned);
   const NoCookie no_cookie;
   ScatteringText text{{no_cookie}, nullptr, &source.beam};
-  return source.intensity *
-         text.litfog_scattered_irradiance(unchecked::scaled(atmosphere.fog, light.light.density_scale).density * range,
-                                          range, 0, std::acos(cosine) / ScatteringText::litfog_beam_angle_step,
-                                          -glm::dot(normal, away), sine > 0 ? -glm::dot(normal, turned) / sine : 0);
+  const double density = unchecked::scaled(atmosphere.fog, light.light.density_scale).density;
+  const auto scattered = text.litfog_scattered_light(density * range, range, 0, cosine);
+  const glm::dvec3 flow = scattered.radial * away + (sine > 0 ? scattered.turned / sine * turned : glm::dvec3(0.0));
+  return source.intensity * DiffuseLight{.all = scattered.all, .flow = flow};
+}
+
+double irradiance(const DiffuseLight& light, const glm::dvec3& normal) {
+  return ScatteringText::litfog_diffuse_irradiance(light.all, glm::length(light.flow), -glm::dot(light.flow, normal));
 }
 
 void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const ScatteringTable& table,

@@ -37,7 +37,8 @@ gl::TextureName linear_texture(int unit, GLint format, GLsizei width, GLsizei he
   return texture;
 }
 
-// A point lamp and two cones are seen along rays in fog of density 1.
+// A point lamp and two cones are seen along rays in fog of density 1; what they scatter on a surface that faces them is
+// drawn, too.
 TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
   for (const Phase& phase : {Phase{}, Phase::droplets(10)}) {
     const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = phase};
@@ -69,13 +70,15 @@ TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
       const double approach = depth * std::cos(angle);
       const glm::dvec3 offset = approach * ray.direction - lamp.position;
       inputs[0].emplace_back(length, approach, glm::length(offset), glm::dot(offset, lamp.direction));
-      inputs[1].emplace_back(glm::dot(ray.direction, lamp.direction), double(kind) - 1, sources[kind].phase_cosine, 0);
+      inputs[1].emplace_back(glm::dot(ray.direction, lamp.direction), double(kind) - 1, sources[kind].phase_cosine,
+                             lamp.direction.z);
       rays.push_back(ray);
       lamps.push_back(lamp);
     }
     const gl::Program program = FormulaPixels::program(
         "#define LITFOG_KNOT_COUNT 0\n#include \"test/input.glsl\"\n"
         "#include \"litfog/shaders/multiple_scattering.glsl\"\n"
+        "#include \"litfog/shaders/diffuse_light.glsl\"\n"
         "uniform vec4 lobes[2];\n"
         "LitfogPhaseLobe lobe(vec4 x) { return LitfogPhaseLobe(x.x, x.y, x.z, x.w); }\n"
         "void main() { vec4 a = given(0), b = given(1);\n"
@@ -83,14 +86,16 @@ TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
         "LitfogAirlight air = LitfogAirlight(1.0, 0.0, 1.0, phase, 0.0, 0.0, 1.0, 1e30, 0.0, 0.0, 0.0, a.x,\n"
         "a.y, a.z, a.w, b.x, 0.0, 0.0, 0.0, 0.0, 0.0);\n"
         "result = vec4(b.y < 0.0 ? litfog_multiple_scattering(air)\n"
-        "                        : litfog_multiple_scattering(air, b.y, b.z)); }\n");
+        "                        : litfog_multiple_scattering(air, b.y, b.z));\n"
+        "LitfogScatteredLight light = litfog_scattered_light(length(a.yz), length(a.yz), max(b.y, 0.0), b.w);\n"
+        "result.y = litfog_diffuse_irradiance(light.all, length(vec2(light.radial, light.turned)), light.radial); }\n");
     program.use();
     glUniform1i(program.uniform("litfog_scattering_table"), 1);
     glUniform1i(program.uniform("litfog_scattered_beams"), 2);
     const auto lobes = pack_fog_header(air, 0).phase_lobes;
     glUniform4fv(program.uniform("lobes"), 2, &lobes[0].x);
     const auto results = FormulaPixels().draw(program, {inputs[0], inputs[1]});
-    double largest = 0;
+    double largest = 0, largest_on_surfaces = 0;
     for (std::size_t i = 0; i < results.size(); ++i) {
       const ScatteringSource& source = sources[i % 3];
       ASSERT_TRUE(std::isfinite(results[i].x)) << i;
@@ -100,9 +105,14 @@ TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
       endless.length = 1e30;
       const double whole = multiple_scattering(lamps[i], source, air, table, endless) / source.intensity;
       largest = std::max(largest, std::abs(double(results[i].x) - expected) / whole);
+      if (i % 3 == 0) continue;
+      const DiffuseLight scattered = scattered_light(lamps[i], source, air, {});
+      const double received = irradiance(scattered, {0, 0, -1}) / source.intensity;
+      largest_on_surfaces = std::max(largest_on_surfaces, std::abs(double(results[i].y) - received) / received);
     }
-    std::printf("largest error %.2g of the endless ray's\n", largest);
+    std::printf("largest error %.2g of the endless ray's, %.2g on surfaces\n", largest, largest_on_surfaces);
     EXPECT_LE(largest, 0.005);
+    EXPECT_LE(largest_on_surfaces, 0.005);
   }
 }
 

@@ -23,6 +23,7 @@ TEST(ShaderLibrary, LibraryHoldsTheInstalledFiles) {
                                                "litfog/shaders/airlight_bound.glsl",
                                                "litfog/shaders/cone_profile.glsl",
                                                "litfog/shaders/density_profile.glsl",
+                                               "litfog/shaders/diffuse_light.glsl",
                                                "litfog/shaders/directional_airlight.glsl",
                                                "litfog/shaders/expm1.glsl",
                                                "litfog/shaders/fog.glsl",

@@ -129,20 +129,30 @@ TEST(ScatteredIrradiance, OfAPointLampIsTheSumOfItsGlow) {
         angles.push_back(angle);
         lights.push_back((single + glow.at(depth, angle)) * std::sin(angle) * (to - from) / 2);
       }
-      for (const double turn : {0.0, 0.8, pi / 2, 2.0, pi}) {
-        double truth = 0;
+      constexpr std::array kTurns{0.0, 0.8, pi / 2, pi - 0.8, pi};
+      std::array<double, kTurns.size()> truths{};
+      for (std::size_t turn = 0; turn < kTurns.size(); ++turn) {
         for (std::size_t i = 0; i < angles.size(); ++i) {
           for (int k = 0; k < kAround; ++k) {
-            const double cosine = std::cos(turn) * std::cos(angles[i]) +
-                                  std::sin(turn) * std::sin(angles[i]) * std::cos(pi * (k + 0.5) / kAround);
-            truth += lights[i] * std::max(cosine, 0.0) / kAround;
+            const double cosine = std::cos(kTurns[turn]) * std::cos(angles[i]) +
+                                  std::sin(kTurns[turn]) * std::sin(angles[i]) * std::cos(pi * (k + 0.5) / kAround);
+            truths[turn] += lights[i] * std::max(cosine, 0.0) / kAround;
           }
         }
-        const glm::dvec3 normal(std::sin(turn), 0, -std::cos(turn));
-        const double found = kQuadratic * scattered_irradiance(lamp, source, air, glm::dvec3(0.0), normal);
-        const double error = std::abs(found - truth) * depth * depth / -std::expm1(-depth);
-        EXPECT_LE(error, kScatteredIrradianceMaxError) << c.name << ", depth " << depth << ", turned by " << turn;
+      }
+      const DiffuseLight one = kQuadratic * scattered_light(lamp, source, air, glm::dvec3(0.0));
+      DiffuseLight two{.all = one.all, .flow = -one.flow};  // and of a lamp behind
+      two += one;
+      const double unit = -std::expm1(-depth) / (depth * depth);
+      for (std::size_t turn = 0; turn < kTurns.size(); ++turn) {
+        const glm::dvec3 normal(std::sin(kTurns[turn]), 0, -std::cos(kTurns[turn]));
+        const double error = std::abs(irradiance(one, normal) - truths[turn]) / unit;
+        EXPECT_LE(error, kScatteredIrradianceMaxError)
+            << c.name << ", depth " << depth << ", turned by " << kTurns[turn];
         worst = std::max(worst, error);
+        const double both = truths[turn] + truths[kTurns.size() - 1 - turn];
+        EXPECT_LE(std::abs(irradiance(two, normal) - both) / (2 * unit), kSummedIrradianceMaxError)
+            << c.name << ", two lamps, depth " << depth << ", turned by " << kTurns[turn];
       }
     }
   }

@@ -498,8 +498,9 @@ TEST_F(ReferencePictureTest, AllOrdersOfScatteringAreThoseOfTheReference) {
           fmt::format("{} at {} m, {}: largest {:6.3f}, mean {:6.3f}, {} excluded", name, visibility,
                       is_isotropic(phase) ? "isotropic" : "droplets", error.largest, error.mean, error.excluded);
       fmt::print("{}\n", measured);
-      // Beside a lamp in the eye's own vehicle a cone's share changes within a piece of a slab.
-      EXPECT_LE(error.largest, is_isotropic(phase) ? 3.2 : 2) << measured;
+      // Beside a lamp in the eye's own vehicle a cone's share changes within a piece of a slab, and what fog scatters
+      // on surfaces within a texel of its grid.
+      EXPECT_LE(error.largest, 4) << measured;
       EXPECT_LE(error.mean, 0.2) << measured;
       EXPECT_LE(error.excluded, 54u) << measured;
     }

@@ -51,9 +51,15 @@ void FarAirlight::set_size(glm::ivec2 size) {
 void FarAirlight::set_list(const FarAirlightList& list, const HigherOrderTextures& higher_orders) {
   higher_orders_ = &higher_orders;
   depth_ = list.depth;
+  light_count_ = int(list.lights.size());
   ranges_ = list.ranges;
   if (is_empty()) return;
   listed_.emplace(list.lights.data(), list.lights.size() * sizeof(list.lights[0]), BufferTexture::Texel::int1);
+}
+
+int FarAirlight::bind_list(PassTextures& textures) const {
+  listed_->bind(textures.unit("far_lights"));
+  return light_count_;
 }
 
 void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphere& atmosphere) {
@@ -74,7 +80,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphe
     program.use();
     bind_lights(program, fog_lights_);
     PassTextures textures(program);
-    listed_->bind(textures.unit("far_lights"));
+    bind_list(textures);
     higher_orders_->bind(textures);
     set_uniform(program, "direction_from_clip", view.direction_from_clip);
     set_uniform(program, "pixel_size", 2.0f / glm::vec2(picture_size));

@@ -38,6 +38,9 @@ class FarAirlight {
   void draw(glm::ivec2 picture_size, const View& view, const Atmosphere& atmosphere);
 
   bool is_empty() const { return depth_ == 0; }
+  double depth() const { return depth_; }  ///< FarAirlightList::depth
+  /// Lets a pass read the list's lights as far_lights. Returns their number. The list may not be empty.
+  int bind_list(PassTextures& textures) const;
   /// Lets the program in use, one that includes far_airlight_at.glsl, look up what has been drawn.
   void bind(const gl::Program& program, PassTextures& textures) const;
 
@@ -45,8 +48,9 @@ class FarAirlight {
   void set_size(glm::ivec2 size);
 
   const gl::FogLightBuffer& fog_lights_;
-  double depth_ = 0;  // FarAirlightList::depth
-  int step_ = 1;      // pixels between texels
+  double depth_ = 0;
+  int light_count_ = 0;
+  int step_ = 1;  // pixels between texels
   glm::ivec2 size_{0};
   std::vector<FarAirlightList::Range> ranges_;
   std::optional<BufferTexture> listed_;

@@ -33,6 +33,7 @@ HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> co
     beams.push_back(make_scattered_beam(moments, thin));
     return int(beams.size()) - 1;
   };
+  add(beam_moments(Cone{}));  // kPointBeam
   const auto beam_of = [&](std::size_t light) {
     if (const scene::CookieUse* const use = lights.cookie(light)) {
       const auto [found, is_new] = beam_of_cookie.try_emplace(use->cookie, 0);
@@ -40,13 +41,14 @@ HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> co
       return found->second;
     }
     const Cone& cone = lights.lights()[light].light.cone;
-    if (cone.is_point_light()) return -1;
+    if (cone.is_point_light()) return kPointBeam;
     const auto found = std::ranges::find(beam_of_cone, cone, &std::pair<Cone, int>::first);
     if (found != beam_of_cone.end()) return found->second;
     return beam_of_cone.emplace_back(cone, add(beam_moments(cone))).second;
   };
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    sources.emplace_back(source_intensity(lights.lights()[i].light, atmosphere), beam_of(i), mean_cosine(atmosphere.phase), 0);
+    sources.emplace_back(source_intensity(lights.lights()[i].light, atmosphere), beam_of(i),
+                         mean_cosine(atmosphere.phase), 0);
   }
 }
 

@@ -22,9 +22,10 @@ namespace litfog::render {
 /// (shaders/airlight/higher_orders.glsl). Shadows do not darken it.
 struct HigherOrders {
   std::optional<ScatteringTable> table;  ///< empty: fog scatters once
-  /// Of each light the intensity of its ScatteringSource, its beam's index or -1 and the phase function's mean cosine.
+  /// Of each light the intensity of its ScatteringSource, its beam's index and the phase function's mean cosine.
   std::vector<glm::vec4> sources;
-  std::vector<ScatteredBeam> beams;  ///< of the different cones and cookies
+  std::vector<ScatteredBeam> beams;     ///< of the different cones and cookies
+  static constexpr int kPointBeam = 0;  ///< that of point lamps
 
   HigherOrders() = default;
   HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere);

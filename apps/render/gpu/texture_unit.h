@@ -24,6 +24,8 @@ enum TextureUnit : unsigned {
   kCasterOfLightUnit,
   kEmissionUnit,
   kSecondUnit,
+  kScatteredAllUnit,
+  kScatteredFlowUnit,
   kUploadUnit,  // no sampler reads it: textures are filled here, so that no other binding is lost
   kPassUnit,    // the first unit of textures that only one pass reads (PassTextures)
 };

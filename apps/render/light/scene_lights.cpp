@@ -27,6 +27,11 @@ bool lights_surfaces_beyond_end(const RenderSettings& settings) {
   return lights_fog_beyond_end(settings) && settings.path->evaluation == Evaluation::fragment;
 }
 
+bool has_scattered_light(const RenderSettings& settings) {
+  return settings.fog_lighting == FogLighting::airlight && settings.scattering == Scattering::all &&
+         settings.path->takes_scattered_light;
+}
+
 Light drawn_light(const Light& light, const RenderSettings& settings, double exposure) {
   const bool is_airlight = settings.fog_lighting == FogLighting::airlight;
   const bool has_maps = settings.path->maps != LightMapSet::none;

@@ -20,6 +20,9 @@ bool lights_fog_beyond_end(const RenderSettings& settings);
 /// where the maps do, and paths that light vertices are farther from the formula than the tails are bright.
 bool lights_surfaces_beyond_end(const RenderSettings& settings);
 
+/// Whether light that the fog scatters reaches surfaces, in atmospheres without a find_scattering_error().
+bool has_scattered_light(const RenderSettings& settings);
+
 /// A light as a renderer draws it. By airlight it is photometric(), except on paths with light maps, whose texels are
 /// too large for what is near a lamp, and ends where airlight_threshold() says, except on paths with the radial range
 /// law: that falls to 0 at the end, and is brighter everywhere the farther off the end is. Paths with light maps have

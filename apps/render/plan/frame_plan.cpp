@@ -53,6 +53,9 @@ void FramePlanner::set_atmosphere(const Atmosphere& atmosphere, bool is_fog_lit,
   plan_.higher_orders = settings_.scattering == Scattering::all && !find_scattering_error(atmosphere_)
                             ? HigherOrders(lights_, scene_.cookies, atmosphere_)
                             : HigherOrders();
+  scattered_bound_ = has_scattered_light(settings_) && plan_.higher_orders.table
+                         ? ScatteredLightBound(lights_, plan_.higher_orders, atmosphere_.fog.density)
+                         : ScatteredLightBound();
   forget();
 }
 
@@ -116,7 +119,8 @@ double FramePlanner::hidden_range_of(std::size_t index) {
   SurfaceFogState& state = fog_states_[index];
   if (state.fog_number == fog_number_) return double(state.hidden_range);
   const Surface& surface = surfaces_.surfaces()[index];
-  double brightness = surface.material->own_light(scene_.environment);
+  double brightness = surface.material->own_light(scene_.environment) +
+                      surface.material->reflectance * scattered_bound_.largest_irradiance(surface.bounds);
   const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const auto light = std::size_t(lights[i]);

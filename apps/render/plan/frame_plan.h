@@ -11,6 +11,7 @@
 #include "render/airlight/airlight_list.h"
 #include "render/airlight/airlight_tiles.h"
 #include "render/airlight/far_airlight_list.h"
+#include "render/airlight/scattered_light_bound.h"
 #include "render/light/point_list.h"
 #include "render/light/scene_lights.h"
 #include "render/plan/frame_counts.h"
@@ -73,19 +74,18 @@ struct FrameView {
 /// Plans frames of a scene. Leaves out what is outside the view, out of reach or hidden by fog, so that no pixel of the
 /// display changes by more than a step, 1/255 (hidden_range.h divides the step). Calls no GL.
 ///
-/// Surfaces. A surface sends to the eye at most the sum of its own light and of each lamp's light at the surface's
-/// point nearest to the lamp, times f at its nearest distance from the eye. If that is below kHiddenShare, only the fog
-/// before the surface is drawn, at the surface's depth, so that everything before and behind it looks the same. The
-/// surface is left out altogether if airlight, points, sky and brighter surfaces behind it are invisible too: the
-/// picture's background is the colour of the fog.
-/// Hales's term depends on the position, so nothing is left out where the cone of a carried light meets the rays
-/// through the surface, at the surface or behind it. Within a cone the picture would change: seen from the light, two
-/// points of a ray at ranges of at least r are up to delta / r apart, where delta is the distance from the eye to the
-/// light. For a headlight 1 m beside the eye, with a slope of some 10 a radian, an eighth of a step would need an r of
-/// more than 100 km.
-/// Fog hides neither surfaces nor their lights on paths without this bound (LightingPath::has_light_bound), nor where
-/// lights have an ambient colour, which the bound does not cover. A surface before which light maps light the fog is
-/// drawn whole, because fog alone uses the cones' formula.
+/// Surfaces. A surface sends to the eye at most the sum of its own light, of each lamp's light at the surface's
+/// point nearest to the lamp and of what the fog scatters on it (ScatteredLightBound), times f at its nearest distance
+/// from the eye. If that is below kHiddenShare, only the fog before the surface is drawn, at the surface's depth, so
+/// that everything before and behind it looks the same. The surface is left out altogether if airlight, points, sky and
+/// brighter surfaces behind it are invisible too: the picture's background is the colour of the fog. Hales's term
+/// depends on the position, so nothing is left out where the cone of a carried light meets the rays through the
+/// surface, at the surface or behind it. Within a cone the picture would change: seen from the light, two points of a
+/// ray at ranges of at least r are up to delta / r apart, where delta is the distance from the eye to the light. For a
+/// headlight 1 m beside the eye, with a slope of some 10 a radian, an eighth of a step would need an r of more than 100
+/// km. Fog hides neither surfaces nor their lights on paths without this bound (LightingPath::has_light_bound), nor
+/// where lights have an ambient colour, which the bound does not cover. A surface before which light maps light the fog
+/// is drawn whole, because fog alone uses the cones' formula.
 class FramePlanner {
  public:
   /// scene, lights, surfaces  have to outlive this object
@@ -149,6 +149,7 @@ class FramePlanner {
   bool is_fog_lit_ = false;
   std::span<const std::int32_t> shaft_casters_;
   unsigned fog_number_ = 1;
+  ScatteredLightBound scattered_bound_;  // on surfaces
   double step_ = 0;
   std::vector<SurfaceFogState> fog_states_;  // one a surface
   std::vector<float> strengths_;  // one an entry of SurfaceList::lists(): its light, before the fog on the eye's leg

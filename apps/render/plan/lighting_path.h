@@ -94,10 +94,11 @@ struct LightingPath {
   SurfaceModel surface = SurfaceModel::basic;
   RangeLaw range = RangeLaw::attenuation;
   Evaluation evaluation = Evaluation::fragment;
-  bool has_normal_maps = false;  ///< otherwise vertex normals
-  bool has_lit_fog = true;       ///< otherwise the ambient fog colour alone
-  bool takes_airlight = false;   ///< lamps light each fragment, so that fog can dim them and shadows hide them
-  bool has_reference = true;     ///< measure::PathModel has its formulas
+  bool has_normal_maps = false;        ///< otherwise vertex normals
+  bool has_lit_fog = true;             ///< otherwise the ambient fog colour alone
+  bool takes_airlight = false;         ///< lamps light each fragment, so that fog can dim them and shadows hide them
+  bool takes_scattered_light = false;  ///< so that light which the fog scatters reaches its surfaces (ScatteredLight)
+  bool has_reference = true;           ///< measure::PathModel has its formulas
   /// hidden_range.h bounds what surfaces send to the eye, all of it through the fog, so that fog can hide them.
   bool has_light_bound = false;
   bool pairs_lights = false;  ///< a batch is lit by its first light's range, so that no light can be left out

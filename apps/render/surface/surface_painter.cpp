@@ -99,7 +99,7 @@ std::size_t count_alike(const FramePlan& plan, std::span<const PlannedSurface> s
 struct SurfacePainter::Frame {
   const LightingPath& path;
   const View& view;
-  const ShadowMaps* shadows;
+  const FrameLight& light;
   std::size_t number;
   int passes_drawn = 0;  // of the surface being drawn
   std::size_t bytes = 0;
@@ -139,8 +139,8 @@ void SurfacePainter::set_fog(std::size_t knots) {
 }
 
 std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan, const View& view,
-                                 const ShadowMaps* shadows, Interruption& interruption) {
-  Frame frame{.path = path, .view = view, .shadows = shadows, .number = ++frames_};
+                                 const FrameLight& light, Interruption& interruption) {
+  Frame frame{.path = path, .view = view, .light = light, .number = ++frames_};
   if (path.has_several_passes()) glEnable(GL_STENCIL_TEST);
   select_samples(0);
   surfaces_.meshes().bind();
@@ -183,7 +183,7 @@ void SurfacePainter::draw_depths(Frame& frame, const FramePlan& plan) {
 }
 
 std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan& plan, const View& view,
-                                       const ShadowMaps* shadows, const PaneAirlight* airlight) {
+                                       const FrameLight& light, const PaneAirlight* airlight) {
   struct Triangle {
     float distance;
     const PlannedSurface* surface;
@@ -204,7 +204,7 @@ std::size_t SurfacePainter::draw_panes(const LightingPath& path, const FramePlan
   }
   Frame frame{.path = path,
               .view = view,
-              .shadows = shadows,
+              .light = light,
               .number = ++frames_,
               .bytes = indices.size() * sizeof(indices[0]),
               .draws_panes = true,
@@ -268,11 +268,11 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
   LightUniforms uniforms;
   const auto add_uniform = [&](std::int32_t light) {
     uniforms.lights.push_back(lights_.packed(std::size_t(light)));
-    if (frame.shadows) uniforms.casters.push_back(frame.shadows->caster_of(std::size_t(light)));
+    if (frame.light.shadows) uniforms.casters.push_back(frame.light.shadows->caster_of(std::size_t(light)));
   };
   const auto resize_uniforms = [&](std::size_t count) {
     uniforms.lights.resize(count, kBlack);
-    if (frame.shadows) uniforms.casters.resize(count, ShadowMaps::kNoCaster);
+    if (frame.light.shadows) uniforms.casters.resize(count, ShadowMaps::kNoCaster);
   };
   if (variant.is_first && variant.pass->shows_fog) {
     variant.has_listed_fog_lights = fog_lights.size() > kMaxUniformLights;
@@ -416,7 +416,8 @@ void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant&
   set_uniform(program, "shadow_maps", kShadowMapUnit);
   set_uniform(program, "shadow_casters", kShadowCasterUnit);
   set_uniform(program, "caster_of_light", kCasterOfLightUnit);
-  if (frame.shadows) frame.shadows->set_moon_maps(program);
+  if (frame.light.shadows) frame.light.shadows->set_moon_maps(program);
+  if (frame.light.scattered) frame.light.scattered->bind(program);
   if (variant.material.is_pane) {
     bind_pane_airlight(program, frame.airlight);
     set_uniform(program, "shaft_steps", settings_.shaft_steps);

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "litfog/gl/fog_light_buffer.h"
+#include "render/airlight/scattered_light.h"
 #include "render/compose/compositor.h"
 #include "render/interruption.h"
 #include "render/light/light_map_store.h"
@@ -19,6 +20,12 @@
 #include "render/surface/surface_programs.h"
 
 namespace litfog::render {
+
+/// What lights surfaces apart from lamps themselves, drawn for the frame.
+struct FrameLight {
+  const ShadowMaps* shadows = nullptr;        ///< of the lamps, bound; null: none
+  const ScatteredLight* scattered = nullptr;  ///< null: none
+};
 
 /// Draws a scene's surfaces by a lighting path. Needs a current GL context.
 class SurfacePainter {
@@ -42,10 +49,9 @@ class SurfacePainter {
   void set_fog(std::size_t knots);
   /// Draws the surfaces of a plan but for its panes. Its light list is bound to its unit.
   ///
-  /// shadows       of the lamps; drawn and bound. Null: none
   /// interruption  after which it draws no more
   /// returns       bytes that the draws were passed
-  std::size_t draw(const LightingPath& path, const FramePlan& plan, const View& view, const ShadowMaps* shadows,
+  std::size_t draw(const LightingPath& path, const FramePlan& plan, const View& view, const FrameLight& light,
                    Interruption& interruption);
   /// Whether there are panes that draw() leaves out.
   bool has_panes() const { return settings_.path->draws_panes() && surfaces_.has_panes(); }
@@ -53,7 +59,7 @@ class SurfacePainter {
   /// opacity, which is alpha; how they are blended is the caller's to set.
   ///
   /// airlight  before the panes; null: none
-  std::size_t draw_panes(const LightingPath& path, const FramePlan& plan, const View& view, const ShadowMaps* shadows,
+  std::size_t draw_panes(const LightingPath& path, const FramePlan& plan, const View& view, const FrameLight& light,
                          const PaneAirlight* airlight);
   const SurfaceList& surfaces() const { return surfaces_; }
 

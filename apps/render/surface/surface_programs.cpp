@@ -38,14 +38,15 @@ std::string settings_constants(const RenderSettings& settings) {
       "const bool has_infinite_viewer = {};\n"
       "const bool is_lamp_leg_fogged = {};\n"
       "const bool are_lit_beyond_ends = {};  // surfaces\n"
+      "const bool has_scattered_light = {};\n"
       "const bool has_shafts = {};\n"
       "const float light_ambient = {};\n"
       "const int spot_edge_hard = 0;\n"
       "const int spot_edge_lerp = 1;\n"
       "const int spot_edge = {};\n",
       settings.papers.has_infinite_viewer, settings.fog_lighting == FogLighting::airlight,
-      lights_surfaces_beyond_end(settings), settings.shadows == Shadows::shafts, settings.papers.light_ambient,
-      int(settings.papers.spot_edge));
+      lights_surfaces_beyond_end(settings), has_scattered_light(settings), settings.shadows == Shadows::shafts,
+      settings.papers.light_ambient, int(settings.papers.spot_edge));
 }
 
 }  // namespace

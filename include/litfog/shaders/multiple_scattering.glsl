@@ -145,23 +145,27 @@ LITFOG_REAL litfog_beam_share(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL
   return min(cone / point, LITFOG_REAL(1.0));
 }
 
-// Light that a surface receives from the fog, scattered once or more often, over the lamp's effective intensity. What flows
-// away from a point lamp through the surface is (1 - e^-depth) / range^2, as the fog absorbs none; what comes from all
-// directions is known by the beam. The two decide about a surface between one that faces the lamp and one that turns away.
+// Light that the fog has scattered once or more often, at a place. Over the lamp's effective intensity, 1/m^2.
+struct LitfogScatteredLight {
+  LITFOG_REAL all;     // from all directions
+  LITFOG_REAL radial;  // flow away from the lamp
+  LITFOG_REAL turned;  // flow away from the beam's axis, at right angles to that
+};
+
+// What flows away from a point lamp is (1 - e^-depth) / range^2, as the fog absorbs none; the rest is known by the beam.
+// litfog_diffuse_irradiance() of diffuse_light.glsl is what a surface receives of it.
 //
 // depth   optical, from the lamp
-// column  of the beam: the angle between its axis and the direction to the surface, over litfog_beam_angle_step
-// facing  cosines between the surface's normal and the directions x towards the lamp and y towards the beam's axis, at
-//         right angles to x
-LITFOG_REAL litfog_scattered_irradiance(LITFOG_REAL depth, LITFOG_REAL range, LITFOG_REAL beam, LITFOG_REAL column,
-                                        LITFOG_REAL facing_x, LITFOG_REAL facing_y) {
+// cosine  between the beam's axis and the direction away from the lamp
+LitfogScatteredLight litfog_scattered_light(LITFOG_REAL depth, LITFOG_REAL range, LITFOG_REAL beam, LITFOG_REAL cosine) {
   LITFOG_REAL row = log(clamp(depth, litfog_first_beam_depth, litfog_last_beam_depth) / litfog_first_beam_depth) / litfog_beam_depth_step;
-  LitfogScatteredBeam scattered = litfog_scattered_beam(beam, row, column);
-  LITFOG_REAL flow = scattered.radial * facing_x + scattered.turned * facing_y;
-  LITFOG_REAL all = scattered.share / scattered.forward;
-  LITFOG_REAL spread = all * all - scattered.radial * scattered.radial - scattered.turned * scattered.turned;
-  LITFOG_REAL lost = litfog_expm1(-depth) * LITFOG_REAL(-1.0);
-  return LITFOG_REAL(0.5) * lost / (range * range) * (flow + sqrt(LITFOG_REAL(0.25) * max(spread, LITFOG_REAL(0.0)) + flow * flow));
+  LitfogScatteredBeam scattered = litfog_scattered_beam(beam, row, acos(cosine) / litfog_beam_angle_step);
+  LITFOG_REAL flow = litfog_expm1(-depth) * LITFOG_REAL(-1.0) / (range * range);
+  LitfogScatteredLight light;
+  light.all = flow * scattered.share / scattered.forward;
+  light.radial = flow * scattered.radial;
+  light.turned = flow * scattered.turned;
+  return light;
 }
 
 // M of a cone along a ray of exp fog, over the lamp's effective intensity: that of a point lamp, piece by piece of the ray.

@@ -16,6 +16,7 @@
 #include "depth_test.glsl"
 #include "lit_surface.glsl"
 #include "listed_lights.glsl"
+#include "scattered_light.glsl"
 #include "world_normal.glsl"
 
 void main() {
@@ -32,7 +33,7 @@ void main() {
   surface.specular = specular * albedo.a;
   surface.shininess = shininess;
 
-  vec3 lit = litfog_ambient(surface, ambient_light);
+  vec3 lit = litfog_ambient(surface, ambient_light) + surface.diffuse * scattered_irradiance(position, surface.normal);
   if (has_moon) lit += moon_factor() * litfog_reflect(surface, moon_direction, moon_color);
 #define ADD_LIGHT(i) lit += lamp_shadow(i) * lit_by(surface, batch_light(i));
   EACH_LIGHT(ADD_LIGHT)

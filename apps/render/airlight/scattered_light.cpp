@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/airlight/scattered_light.h"
+
+#include <epoxy/gl.h>
+
+#include "render/gpu/framebuffer.h"
+#include "render/gpu/light_uniforms.h"
+#include "render/gpu/render_shaders.h"
+#include "render/gpu/texture_unit.h"
+#include "render/gpu/uniform.h"
+
+namespace litfog::render {
+namespace {
+
+// Texels for few lamps and for many, which vary less from texel to texel, as most of them are far away.
+constexpr glm::ivec3 kFine{48, 32, 48}, kCoarse{28, 18, 36};
+constexpr int kFewLamps = 8;
+
+void make_grid(const gl::TextureName& texture, glm::ivec3 size) {
+  bind_texture(kUploadUnit, texture, GL_TEXTURE_3D);
+  glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA32F, size.x, size.y, size.z, 0, GL_RGBA, GL_FLOAT, nullptr);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  for (const auto axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+    glTexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
+  }
+}
+
+}  // namespace
+
+void ScatteredLight::set_size(glm::ivec3 size) {
+  if (size == size_) return;
+  size_ = size;
+  make_grid(all_, size);
+  make_grid(flow_, size);
+}
+
+void ScatteredLight::draw(glm::ivec2 picture_size, const View& view, const FarAirlight& far,
+                          const HigherOrderTextures& higher_orders) {
+  depth_ = higher_orders.is_empty() ? 0 : float(far.depth());
+  picture_size_ = picture_size;
+  if (depth_ == 0) return;
+  if (!program_) program_.emplace("whole_picture.vert", "airlight/scattered_light.frag", scene_shaders(false));
+  pass_.begin();
+  program_->use();
+  bind_lights(*program_, fog_lights_);
+  PassTextures textures(*program_);
+  const int lamps = far.bind_list(textures);
+  set_size(lamps <= kFewLamps ? kFine : kCoarse);
+  set_uniform(*program_, "light_count", lamps);
+  higher_orders.bind(textures);
+  set_uniform(*program_, "direction_from_clip", view.direction_from_clip);
+  set_uniform(*program_, "pixel_size", 2.0f / glm::vec2(size_));
+  set_uniform(*program_, "eye", view.eye);
+  set_uniform(*program_, "grid_depth", depth_);
+  set_uniform(*program_, "slice_count", size_.z);
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  glViewport(0, 0, size_.x, size_.y);
+  constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
+  glDrawBuffers(2, kTargets);
+  for (int slice = 0; slice < size_.z; ++slice) {
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, kTargets[0], all_.id(), 0, slice);
+    glFramebufferTextureLayer(GL_FRAMEBUFFER, kTargets[1], flow_.id(), 0, slice);
+    if (slice == 0) check_float_framebuffer();
+    set_uniform(*program_, "slice", slice);
+    glDrawArrays(GL_TRIANGLES, 0, 3);
+  }
+}
+
+void ScatteredLight::bind(const gl::Program& program) const {
+  set_uniform(program, "scattered_all", kScatteredAllUnit);
+  set_uniform(program, "scattered_flow", kScatteredFlowUnit);
+  set_uniform(program, "scattered_depth", depth_);
+  set_uniform(program, "picture_size", picture_size_);
+  bind_texture(kScatteredAllUnit, all_, GL_TEXTURE_3D);
+  bind_texture(kScatteredFlowUnit, flow_, GL_TEXTURE_3D);
+}
+
+}  // namespace litfog::render
