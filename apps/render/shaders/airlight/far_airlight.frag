@@ -24,13 +24,13 @@ const float faint = 0.001;  // of eight slabs: so little light that its place am
 
 layout(location = 0) out vec4 sums[slabs_at_once];
 
-// The fog's -f'(s) f(r), 1/m, at a height. Without layers its density is that of the light's class.
-float fog_weight(LitfogLight light, float density, float height, float seen, float range) {
-  if (litfog_knot_count() > 0) {
-    float scale = light.attenuation.w;
-    float depth = litfog_fog_density(eye.y, height) * seen + litfog_fog_density(light.position_extent.y, height) * range;
-    return scale * litfog_fog_density(height, height) * exp(-scale * depth);
-  }
+// What fog leaves of light on the way between two points of different heights.
+float left_by_layers(float scale, vec3 from, vec3 to) {
+  return exp(-scale * litfog_fog_density(from.y, to.y) * distance(from, to));
+}
+
+// The fog's -f'(s) f(r), 1/m. Without layers its density is that of the light's class.
+float fog_weight(float density, float seen, float range) {
   if (litfog_is_exp(litfog_fog_mode())) return density * exp(-density * (seen + range));
   float x = density * seen;
   float y = density * range;
@@ -86,16 +86,32 @@ void main() {
     }
     if (!is_single) continue;
 #endif
+    float left = left_by_layers(light.attenuation.w, eye, eye + slab_begin(first_slab) * direction);
     for (int slab = 0; slab < slabs_at_once; ++slab) {
       float begin = slab_begin(first_slab + slab);
       float end = slab_begin(first_slab + slab + 1);
       float seen = 0.5 * (begin + end);
+      float weight;  // of the slab, but for the lamp's leg in layers
+      if (litfog_knot_count() > 0) {
+        // A slab may lie in a layer in part: its place is that of the fog in its halves.
+        float scale = light.attenuation.w;
+        float at_middle = left_by_layers(scale, eye, eye + seen * direction);
+        float at_end = left_by_layers(scale, eye, eye + end * direction);
+        weight = max(left - at_end, 0.0) / (end - begin);
+        seen += 0.25 * (end - begin) * (2.0 * at_middle - left - at_end) / max(left - at_end, 1.0e-30);
+        left = at_end;
+      }
       float within = max(min(end, approach + half_chord) - max(begin, approach - half_chord), 0.0);
       vec4 ray = litfog_ray(to_light, direction * seen);
       float range = max(ray.w, extent);
+      if (litfog_knot_count() > 0) {
+        weight *= left_by_layers(light.attenuation.w, eye + seen * direction, light.position_extent.xyz);
+      } else {
+        weight = fog_weight(density, seen, range);
+      }
       float arriving = litfog_cone(light, ray.xyz) *
                        litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
-      float scattered = (end - begin - within) * fog_weight(light, density, eye.y + direction.y * seen, seen, range) * arriving;
+      float scattered = (end - begin - within) * weight * arriving;
       if (!litfog_is_isotropic(phase)) scattered *= litfog_phase(phase, max(1.0 + dot(direction, ray.xyz), far_peak_versine));
       slabs[slab] += lamp * scattered;
     }
