@@ -47,7 +47,8 @@ void add_changes(CLI::App& app, SceneOptions& options) {
            for (const std::string& text : texts) options.changes.push_back(parse_change(text));
          },
          "Change a member of the scene file, or of a light file that it names, before it is read: "
-         "lights[0].attenuation.quadratic=0.002 (see litfog-demo list lights SCENE); may be given again")
+         "lights[0].attenuation.quadratic=0.002 (see litfog-demo list lights SCENE); null removes it; may be given "
+         "again")
       ->type_name("MEMBER=VALUE")
       ->allow_extra_args(false);
   app.add_flag(

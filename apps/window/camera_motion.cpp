@@ -11,29 +11,27 @@ namespace {
 constexpr double kNearest = 0.1;  // metres
 constexpr double kFarthest = 1e5;
 
-/// A direction by its heading to the right of -Z and its pitch.
-struct Direction {
-  double heading;
-  double pitch;
-};
-
-Direction direction_of(const glm::dvec3& vector) {
-  return {std::atan2(vector.x, -vector.z), std::atan2(vector.y, std::hypot(vector.x, vector.z))};
-}
-
-glm::dvec3 unit_vector(const Direction& direction) {
-  const double pitch = std::clamp(direction.pitch, -kSteepest, kSteepest);
-  return {std::cos(pitch) * std::sin(direction.heading), std::sin(pitch),
-          -std::cos(pitch) * std::cos(direction.heading)};
+/// No steeper than a camera may look.
+Direction tilted(const Direction& from, double right, double up) {
+  return {from.heading + right, std::clamp(from.pitch + up, -kSteepest, kSteepest)};
 }
 
 glm::dvec3 view(const scene::Camera& camera) { return camera.target - camera.position; }
 
 }  // namespace
 
+Direction direction_of(const glm::dvec3& vector) {
+  return {std::atan2(vector.x, -vector.z), std::atan2(vector.y, std::hypot(vector.x, vector.z))};
+}
+
+glm::dvec3 unit_vector(const Direction& direction) {
+  return {std::cos(direction.pitch) * std::sin(direction.heading), std::sin(direction.pitch),
+          -std::cos(direction.pitch) * std::cos(direction.heading)};
+}
+
 void look(scene::Camera& camera, double right, double up) {
   const Direction seen = direction_of(view(camera));
-  camera.target = camera.position + unit_vector({seen.heading + right, seen.pitch + up}) * target_distance(camera);
+  camera.target = camera.position + unit_vector(tilted(seen, right, up)) * target_distance(camera);
 }
 
 void fly(scene::Camera& camera, double right, double up, double ahead) {
@@ -45,8 +43,7 @@ void fly(scene::Camera& camera, double right, double up, double ahead) {
 
 void orbit(scene::Camera& camera, double right, double up) {
   const Direction from_eye = direction_of(view(camera));
-  camera.position =
-      camera.target - unit_vector({from_eye.heading - right, from_eye.pitch - up}) * target_distance(camera);
+  camera.position = camera.target - unit_vector(tilted(from_eye, -right, -up)) * target_distance(camera);
 }
 
 void approach(scene::Camera& camera, double factor) {

@@ -10,6 +10,14 @@ namespace litfog::window {
 
 inline constexpr double kSteepest = 1.5533;  ///< radians, 89 degrees
 
+/// A direction by its heading, to the right of -Z, and its pitch. Radians.
+struct Direction {
+  double heading;
+  double pitch;
+};
+Direction direction_of(const glm::dvec3& vector);
+glm::dvec3 unit_vector(const Direction& direction);
+
 /// Turns the camera about its eye: radians to the right and up. The target stays as far away as it was.
 void look(scene::Camera& camera, double right, double up);
 

@@ -27,4 +27,22 @@ bool slide(const char* name, double& value, double low, double high, const char*
   return true;
 }
 
+bool drag(const char* name, std::span<double> values, double speed, const char* format) {
+  label(name);
+  if (!ImGui::DragScalarN((std::string("##") + name).c_str(), ImGuiDataType_Double, values.data(), int(values.size()),
+                          float(speed), nullptr, nullptr, format)) {
+    return false;
+  }
+  for (double& value : values) value = *command::parse_number(fmt::format("{:.2f}", value));
+  return true;
+}
+
+bool small_button(const char* text, bool is_enabled, const char* meaning) {
+  ImGui::BeginDisabled(!is_enabled);
+  const bool is_pressed = ImGui::SmallButton(text);
+  ImGui::EndDisabled();
+  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", meaning);
+  return is_pressed;
+}
+
 }  // namespace litfog::window

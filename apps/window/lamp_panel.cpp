@@ -12,6 +12,7 @@
 
 #include "command/number.h"
 #include "text/shown_number.h"
+#include "window/camera_motion.h"
 #include "window/controls.h"
 #include "window/range_curve.h"
 
@@ -25,6 +26,37 @@ bool slide_degrees(const char* name, double& radians, double low, double high) {
   if (!slide(name, degrees, low, high, "%.4g\u00b0")) return false;
   radians = glm::radians(degrees);
   return true;
+}
+
+/// A lamp in the middle of the picture: the picked one's copy, or a plain one.
+void add_lamp(Session& session) {
+  PlacedLight light{.light = {}, .position = session.camera.target, .direction = {0, -1, 0}};
+  light.light.name = "lamp";
+  light.light.attenuation = {1, 0, 0.05};
+  if (session.picked) {
+    const glm::dvec3 position = light.position;
+    light = session.lights()[*session.picked];
+    light.position = position;
+  }
+  session.add(light);
+}
+
+void draw_history(Session& session) {
+  if (small_button("Undo", session.can_undo(), "The last change of a lamp (Ctrl+Z)")) session.undo();
+  ImGui::SameLine();
+  if (small_button("Redo", session.can_redo(), "Ctrl+Y")) session.redo();
+  ImGui::SameLine();
+  if (small_button("Reset", session.has_changes(), "All lamps as in the file")) session.reset_all();
+  ImGui::SameLine();
+  const bool takes_more = session.takes_more_lights();
+  if (small_button("Add", takes_more,
+                   takes_more ? "Where the camera looks: one more of the picked lamp, or a plain one"
+                              : "A glTF file takes no other lamps")) {
+    add_lamp(session);
+  }
+  ImGui::SameLine();
+  const bool is_removable = session.picked && session.is_removable(*session.picked);
+  if (small_button("Remove", is_removable, "The picked lamp, with its copies (Del)")) session.remove(*session.picked);
 }
 
 void draw_list(Session& session, std::optional<std::size_t>& hovered) {
@@ -45,6 +77,18 @@ void draw_list(Session& session, std::optional<std::size_t>& hovered) {
       ImGui::PopID();
     }
   }
+}
+
+bool draw_place(PlacedLight& placed, bool turns) {
+  bool is_changed = drag("Position", {&placed.position.x, 3}, 0.02, "%.2f");
+  if (placed.light.cone == Cone{} || turns) return is_changed;
+  const Direction old = direction_of(placed.direction);
+  double degrees[] = {glm::degrees(old.heading), glm::degrees(old.pitch)};
+  if (drag("Heading, pitch", degrees, 0.2, "%.4g\u00b0")) {
+    placed.direction = unit_vector({glm::radians(degrees[0]), glm::radians(std::clamp(degrees[1], -90.0, 90.0))});
+    is_changed = true;
+  }
+  return is_changed;
 }
 
 bool draw_cone(Cone& cone, bool was_point_light) {
@@ -85,18 +129,20 @@ bool draw_color(glm::dvec3& color) {
 }
 
 void draw_controls(Session& session, std::size_t index) {
-  const PlacedLight& placed = session.lights()[index];
-  Light light = placed.light;
-  const bool has_cookie = session.scene().cookie_uses.contains(index);
+  PlacedLight placed = session.lights()[index];
+  Light& light = placed.light;
+  const scene::Scene& scene = session.scene();
+  const bool is_added = session.is_added(index);
+  const bool has_cookie = scene.cookie_uses.contains(index);
   const std::size_t copies = session.copies(index);
   ImGui::TextUnformatted(light.name.c_str());
-  if (session.is_changed(index)) {
+  if (session.is_changed(index) && !is_added) {
     const char* const words = "As in the file";
     ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(words).x -
                     2 * ImGui::GetStyle().FramePadding.x);
     if (ImGui::SmallButton(words)) session.reset(index);
   }
-  ImGui::TextDisabled("%s%s", placed.carried ? "carried" : "local",
+  ImGui::TextDisabled("%s%s%s", placed.carried ? "carried" : "local", is_added ? ", added" : "",
                       copies > 1 ? fmt::format(", {} copies", copies).c_str() : "");
   bool is_changed = slide("Constant", light.attenuation.constant, 0, 20, "%.4g", ImGuiSliderFlags_Logarithmic);
   is_changed |= slide("Linear", light.attenuation.linear, 0, 10, "%.4g / m", ImGuiSliderFlags_Logarithmic);
@@ -105,11 +151,11 @@ void draw_controls(Session& session, std::size_t index) {
   if (has_cookie) {
     ImGui::TextDisabled("A cookie is in place of the cone");
   } else {
-    is_changed |= draw_cone(light.cone, session.scene().lights[index].light.cone == Cone{});
+    is_changed |= draw_cone(light.cone, is_added || scene.lights[index].light.cone == Cone{});
   }
   is_changed |= draw_color(light.color);
-  const auto error = find_error(light);
-  if (is_changed && !error) session.change(index, light);
+  if (session.is_movable(index)) is_changed |= draw_place(placed, scene.turn_rates.contains(index) || has_cookie);
+  if (is_changed && !find_error(placed)) session.change(index, placed);
 }
 
 /// A plot's place on the screen, and what it shows.
@@ -216,7 +262,10 @@ void draw_curve(const Light& light, const Fog& fog) {
 void draw_lamps(Session& session, std::optional<std::size_t>& hovered) {
   const float font = ImGui::GetFontSize();
   ImGui::BeginChild("lamps", {font * 18, 0});
+  draw_history(session);
+  ImGui::BeginChild("list");
   draw_list(session, hovered);
+  ImGui::EndChild();
   ImGui::EndChild();
   ImGui::SameLine();
   ImGui::PushStyleVar(ImGuiStyleVar_FramePadding, {ImGui::GetStyle().FramePadding.x, font * 0.1f});

@@ -23,7 +23,7 @@ std::optional<std::size_t> light_at(const scene::Camera& camera, double aspect, 
   double least = 0;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const auto shown = place_in_picture(camera, aspect, lights[i].position);
-    if (!shown) continue;
+    if (!shown || lights[i].light.color == glm::dvec3(0)) continue;
     const double apart = glm::length((*shown - place) * glm::dvec2(aspect, 1));
     if (!(apart <= reach)) continue;
     const double badness = glm::distance(lights[i].position, glm::dvec3(camera.position)) * (1 + 4 * apart / reach);

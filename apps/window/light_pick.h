@@ -17,8 +17,8 @@ namespace litfog::window {
 /// aspect  width / height
 std::optional<glm::dvec2> place_in_picture(const scene::Camera& camera, double aspect, const glm::dvec3& point);
 
-/// The lamp that a click means: of those shown at most `reach` from there, the nearest to the eye; what is farther from
-/// the click counts as farther away.
+/// The lamp that a click means: of those shown at most `reach` from there that are not black, the nearest to the eye;
+/// what is farther from the click counts as farther away.
 ///
 /// place  fractions of the picture's width and height
 /// reach  fraction of its height

@@ -45,7 +45,7 @@ constexpr const char* kDescription =
     R"(Shows a scene lit by lamps in fog in a window, in which fog, lighting, camera and lamps can be changed.
 
 Drag the picture to orbit or look around, right-drag to pan; the wheel goes nearer. W A S D, Q and E fly,
-with Shift faster. A click picks a lamp. Ctrl+P saves the picture, Ctrl+C copies the litfog-demo command that draws it, and
+with Shift faster. A click picks a lamp, Ctrl and dragging move it; Ctrl+Z undoes what has been done to lamps. Ctrl+P saves the picture, Ctrl+C copies the litfog-demo command that draws it, and
 prints it.)";
 
 constexpr const char* kFooter =
@@ -184,7 +184,16 @@ void App::draw(const std::string& shortcuts) {
   ImGui::End();
   ImGui::PopStyleVar(2);
 
+  if (!ImGui::IsAnyItemActive()) session_.end_step();
   if (!ImGui::GetIO().WantTextInput) {  // letters that do not fly
+    for (const char letter : shortcuts) {
+      if (letter == 'Z') session_.undo();
+      if (letter == 'Y') session_.redo();
+    }
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete)) && session_.picked &&
+        session_.is_removable(*session_.picked)) {
+      session_.remove(*session_.picked);
+    }
     wishes.picture = wishes.picture || shortcuts.find('P') != shortcuts.npos;
     wishes.command = wishes.command || shortcuts.find('C') != shortcuts.npos;
   }

@@ -68,6 +68,17 @@ struct Area {
   float wipe_x(const Session& session) const { return corner.x + std::round(float(session.wipe) * size.x); }
 };
 
+/// Moves the picked lamp, which stays as far from the camera's plane.
+void drag_lamp(Session& session, const Area& area) {
+  PlacedLight light = session.lights()[*session.picked];
+  const scene::CameraAxes axes = axes_of(session.camera);
+  const double depth = glm::dot(light.position - session.camera.position, axes.forward);
+  const double metres = 2 * depth * std::tan(double(session.camera.field_of_view) / 2) / double(area.size.y);
+  const ImVec2 delta = ImGui::GetIO().MouseDelta;
+  light.position += metres * (double(delta.x) * axes.right - double(delta.y) * axes.up);
+  if (!find_error(light)) session.change(*session.picked, light);
+}
+
 /// Turns the camera by what the left button drags, and shifts it by what the right one does.
 void drag_camera(Session& session, const Area& area) {
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
@@ -154,6 +165,8 @@ void PicturePanel::draw(Session& session, std::optional<std::size_t> hovered) {
   const glm::dvec2 mouse = area.fraction_of(io.MousePos);
   if (ImGui::IsItemActive() && drags_wipe_)
     session.wipe = std::clamp(mouse.x, 0.0, 1.0);
+  else if (ImGui::IsItemActive() && io.KeyCtrl && session.picked && session.is_movable(*session.picked))
+    drag_lamp(session, area);
   else if (ImGui::IsItemActive())
     drag_camera(session, area);
   const auto under_mouse = light_at(session.camera, aspect, session.lights(), mouse, kPickReach);

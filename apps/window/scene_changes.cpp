@@ -10,6 +10,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command/number.h"
+#include "litfog/files/light_file.h"
 #include "litfog/input_error.h"
 
 namespace litfog::window {
@@ -58,14 +59,25 @@ void write_out(Json& name, const fs::path& folder) {
   name = std::move(light);
 }
 
+/// As files::with_value() changes what is read.
 void apply(Json& scene, const scene::SceneChange& change, const fs::path& folder) {
   Json* value = &scene;
+  Json* holder = nullptr;
+  std::string last;
   for (const std::string& key : keys_of(scene::changed_member(change.member))) {
     if (value->is_string()) write_out(*value, folder);
-    value = value->is_array() ? &value->at(std::stoul(key)) : &(*value)[key];
+    holder = value;
+    last = key;
+    const bool is_index = value->is_array() || (value->is_null() && key.find_first_not_of("0123456789") == key.npos);
+    value = is_index ? &(*value)[std::stoul(key)] : &(*value)[key];
   }
   *value = Json::parse(change.value, nullptr, /* allow_exceptions */ false);
   if (value->is_discarded()) *value = change.value;  // a word
+  if (!value->is_null()) return;
+  if (holder->is_array())
+    holder->erase(std::stoul(last));
+  else
+    holder->erase(last);
 }
 
 /// Makes a path beside one file one beside another.
@@ -84,14 +96,24 @@ std::vector<double> rounded(const glm::vec3& v) {  // as short as floats that re
   return {shortest(v.x), shortest(v.y), shortest(v.z)};
 }
 
+std::vector<double> exact(const glm::dvec3& v) { return {v.x, v.y, v.z}; }
+
 }  // namespace
 
-std::vector<scene::SceneChange> changes_of(const std::string& member, const Light& from, const Light& to) {
+std::vector<scene::SceneChange> changes_of(const std::string& member, const PlacedLight& was, const PlacedLight& is) {
+  const Light& from = was.light;
+  const Light& to = is.light;
   std::vector<scene::SceneChange> changes;
   const auto add = [&](const char* name, const Json& value) { changes.push_back({member + "." + name, value.dump()}); };
-  const auto compare = [&](const char* name, double was, double is) {
-    if (was != is) add(name, is);
+  const auto compare = [&](const char* name, double before, double after) {
+    if (before != after) add(name, after);
   };
+  const bool is_moved = is.position != was.position;
+  if (is_moved) add("position", exact(is.position));
+  if (is.direction != was.direction || (is_moved && facts_of(to.cone.profile).profile != ConeProfile::none)) {
+    add("aim", nullptr);  // which would turn the light as it moves
+    add("direction", exact(is.direction));
+  }
   compare("attenuation.constant", from.attenuation.constant, to.attenuation.constant);
   compare("attenuation.linear", from.attenuation.linear, to.attenuation.linear);
   compare("attenuation.quadratic", from.attenuation.quadratic, to.attenuation.quadratic);
@@ -100,6 +122,15 @@ std::vector<scene::SceneChange> changes_of(const std::string& member, const Ligh
   if (to.cone != from.cone) add("cone", cone_json(to.cone));
   if (to.color != from.color) add("color", rounded(glm::vec3(to.color)));
   return changes;
+}
+
+std::string light_entry(const PlacedLight& light) {
+  Json own = Json::parse(format_light(light.light));
+  own.erase("litfog");  // only a file of its own needs them
+  own.erase("version");
+  Json entry{{"light", own}, {"position", exact(light.position)}, {"direction", exact(light.direction)}};
+  if (light.carried) entry["carried"] = true;
+  return entry.dump();
 }
 
 std::string changed_scene(const std::string& file, const std::optional<scene::Camera>& camera,

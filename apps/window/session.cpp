@@ -6,16 +6,13 @@
 #include <filesystem>
 #include <utility>
 
+#include "scene/file/gltf_scene.h"
 #include "window/scene_changes.h"
 
 namespace litfog::window {
 
 Session::Session(drawing::SceneOptions given, scene::Scene scene, const drawing::DrawingOptions& both)
-    : settings{both, both},
-      camera(scene.camera),
-      given_(std::move(given)),
-      scene_(std::move(scene)),
-      lights_(std::make_shared<const std::vector<PlacedLight>>(scene_.lights)) {
+    : settings{both, both}, camera(scene.camera), given_(std::move(given)), scene_(std::move(scene)) {
   for (drawing::DrawingOptions& each : settings) {
     if (each.runway_visual_range) {
       each.visibility = each.visibility_of_runway_visual_range(*each.runway_visual_range);
@@ -23,12 +20,14 @@ Session::Session(drawing::SceneOptions given, scene::Scene scene, const drawing:
     }
     if (!each.visibility) each.visibility = scene::suggested_visibility(scene_);
   }
+  Lamps lamps{.lights = scene_.lights, .entries = scene_.light_entries, .firsts = {}};
   std::vector<bool> is_met(scene_.light_members.size());
   for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
     const std::size_t entry = scene_.light_entries[i];
-    if (!is_met[entry]) firsts_.push_back(i);
+    if (!is_met[entry]) lamps.firsts.push_back(i);
     is_met[entry] = true;
   }
+  lamps_ = given_lamps_ = std::make_shared<const Lamps>(std::move(lamps));
 }
 
 void Session::split(bool on) {
@@ -39,32 +38,114 @@ void Session::split(bool on) {
 }
 
 std::size_t Session::copies(std::size_t light) const {
-  return std::size_t(std::ranges::count(scene_.light_entries, scene_.light_entries[light]));
+  return std::size_t(std::ranges::count(lamps_->entries, lamps_->entries[light]));
 }
 
-void Session::change(std::size_t light, const Light& changed) {
-  auto lights = std::make_shared<std::vector<PlacedLight>>(*lights_);
-  for (std::size_t i = 0; i < lights->size(); ++i) {
+void Session::change(std::size_t light, const PlacedLight& changed) {
+  Lamps lamps = *lamps_;
+  const PlacedLight& before = lights()[light];
+  const glm::dvec3 step = changed.position - before.position;
+  for (std::size_t i = 0; i < lamps.lights.size(); ++i) {
     if (!are_copies(i, light)) continue;
-    Light& copy = (*lights)[i].light;
-    const std::string name = copy.name;
-    copy = changed;
-    copy.name = name;
+    PlacedLight& copy = lamps.lights[i];
+    const std::string name = copy.light.name;
+    copy.light = changed.light;
+    copy.light.name = name;
+    copy.position = i == light ? changed.position : copy.position + step;
+    if (changed.direction != before.direction) copy.direction = changed.direction;
   }
-  lights_ = std::move(lights);
+  take(std::move(lamps));
+}
+
+void Session::reset(std::size_t light) {
+  Lamps lamps = *lamps_;
+  for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+    if (are_copies(i, light)) lamps.lights[i] = scene_.lights[i];
+  }
+  take(std::move(lamps));
+}
+
+void Session::reset_all() {
+  take(*given_lamps_);
+  lamps_ = given_lamps_;
 }
 
 bool Session::is_changed(std::size_t light) const {
-  return !changes_of("", scene_.lights[light].light, lights()[light].light).empty();
+  return is_added(light) || !changes_of("", scene_.lights[light], lights()[light]).empty();
+}
+
+bool Session::is_removable(std::size_t light) const {
+  return is_added(light) ||
+         (takes_more_lights() && scene_.light_members[scene_.light_entries[light]].starts_with("lights["));
+}
+
+bool Session::is_movable(std::size_t light) const { return is_removable(light) && !scene_.mounts.contains(light); }
+
+bool Session::takes_more_lights() const { return !scene::is_gltf_path(scene_.files.front()); }
+
+void Session::add(const PlacedLight& light) {
+  Lamps lamps = *lamps_;
+  const std::size_t members = scene_.light_members.size();
+  picked = lamps.lights.size();
+  lamps.firsts.push_back(*picked);
+  lamps.entries.push_back(members + *picked - scene_.lights.size());
+  lamps.lights.push_back(light);
+  take(std::move(lamps));
+}
+
+void Session::remove(std::size_t light) {
+  Lamps lamps = *lamps_;
+  for (std::size_t i = 0; i < lamps.lights.size(); ++i) {
+    if (are_copies(i, light)) lamps.lights[i].light.color = glm::dvec3(0);
+  }
+  std::erase_if(lamps.firsts, [&](std::size_t first) { return are_copies(first, light); });
+  take(std::move(lamps));
+}
+
+void Session::take(Lamps lamps) {
+  constexpr std::size_t kMaxKept = 1'000'000;  // lights in all steps, 300 MB
+  if (!is_step_open_) undone_to_.push_back(lamps_);
+  while (undone_to_.size() > 1 && undone_to_.size() * lights().size() > kMaxKept) undone_to_.erase(undone_to_.begin());
+  redone_to_.clear();
+  is_step_open_ = true;
+  lamps_ = std::make_shared<const Lamps>(std::move(lamps));
+  forget_removed_pick();
+}
+
+void Session::step_back(Steps& from, Steps& to) {
+  if (from.empty()) return;
+  to.push_back(std::exchange(lamps_, from.back()));
+  from.pop_back();
+  is_step_open_ = false;
+  forget_removed_pick();
+}
+
+void Session::forget_removed_pick() {
+  if (picked && (*picked >= lights().size() ||
+                 std::ranges::none_of(firsts(), [this](std::size_t first) { return are_copies(first, *picked); }))) {
+    picked.reset();
+  }
 }
 
 std::vector<scene::SceneChange> Session::changes() const {
   std::vector<scene::SceneChange> all = given_.changes;
   if (given_.city_lights > 0) all.push_back({"city.lights", std::to_string(given_.city_lights)});
-  for (const std::size_t i : firsts_) {
-    const std::string& member = scene_.light_members[scene_.light_entries[i]];
-    const auto changes = changes_of(member, scene_.lights[i].light, lights()[i].light);
+  const std::vector<std::string>& members = scene_.light_members;
+  auto entries = std::size_t(
+      std::ranges::count_if(members, [](const std::string& member) { return member.starts_with("lights["); }));
+  std::vector<bool> is_removed(members.size());
+  for (const std::size_t i : given_lamps_->firsts) is_removed[scene_.light_entries[i]] = true;
+  for (const std::size_t i : firsts()) {
+    if (is_added(i)) {
+      all.push_back({"lights[" + std::to_string(entries++) + "]", light_entry(lights()[i])});
+      continue;
+    }
+    is_removed[scene_.light_entries[i]] = false;
+    const auto changes = changes_of(members[scene_.light_entries[i]], scene_.lights[i], lights()[i]);
     all.insert(all.end(), changes.begin(), changes.end());
+  }
+  for (std::size_t entry = members.size(); entry-- > 0;) {  // backwards, so that none moves another's index
+    if (is_removed[entry]) all.push_back({members[entry], "null"});
   }
   return all;
 }
@@ -72,7 +153,7 @@ std::vector<scene::SceneChange> Session::changes() const {
 PictureOrder Session::order(int width, int height, bool is_sketch) const {
   return {.settings = {settings.begin(), settings.begin() + (is_split ? 2 : 1)},
           .camera = camera,
-          .lights = lights_,
+          .lights = {lamps_, &lamps_->lights},
           .width = width,
           .height = height,
           .is_sketch = is_sketch};

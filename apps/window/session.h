@@ -41,19 +41,37 @@ class Session {
   void split(bool on);
 
   const scene::Scene& scene() const { return scene_; }  ///< as it was given
-  const std::vector<PlacedLight>& lights() const { return *lights_; }
+  /// The scene's, of which removed ones are black, and those that have been added.
+  const std::vector<PlacedLight>& lights() const { return lamps_->lights; }
   /// How many lights change with one: those that the same member of the file states.
   std::size_t copies(std::size_t light) const;
-  /// The first light of each such member.
-  const std::vector<std::size_t>& firsts() const { return firsts_; }
+  /// The first light of each such member that has not been removed.
+  const std::vector<std::size_t>& firsts() const { return lamps_->firsts; }
   /// Whether two lights are one, or copies of each other.
-  bool are_copies(std::size_t a, std::size_t b) const { return scene_.light_entries[a] == scene_.light_entries[b]; }
-  /// Takes another light in the place of one, and of its copies. Those keep their names.
+  bool are_copies(std::size_t a, std::size_t b) const { return lamps_->entries[a] == lamps_->entries[b]; }
+  /// Takes another light in the place of one, and of its copies. Those keep their names, and move with it.
   ///
   /// changed  it is valid (find_error())
-  void change(std::size_t light, const Light& changed);
-  void reset(std::size_t light) { change(light, scene_.lights[light].light); }
-  bool is_changed(std::size_t light) const;
+  void change(std::size_t light, const PlacedLight& changed);
+  void reset(std::size_t light);  ///< one of the scene's, with its copies
+  void reset_all();
+  bool is_added(std::size_t light) const { return light >= scene_.lights.size(); }
+  bool is_changed(std::size_t light) const;  ///< or added
+  bool has_changes() const { return lamps_ != given_lamps_; }
+  /// Whether an item of a scene file's "lights" states it: no glTF file, and no city's.
+  bool is_removable(std::size_t light) const;
+  bool is_movable(std::size_t light) const;  ///< also in the world: no vehicle's
+  bool takes_more_lights() const;
+  /// Adds a light, which becomes the picked one.
+  void add(const PlacedLight& light);
+  void remove(std::size_t light);  ///< with its copies
+
+  // Undoing and redoing of all that changes lights. Changes until end_step() are one step.
+  bool can_undo() const { return !undone_to_.empty(); }
+  bool can_redo() const { return !redone_to_.empty(); }
+  void undo() { step_back(undone_to_, redone_to_); }
+  void redo() { step_back(redone_to_, undone_to_); }
+  void end_step() { is_step_open_ = false; }
   /// What has been changed of the scene's file: what was given, with the number of a city's lights, and then the
   /// lights.
   std::vector<scene::SceneChange> changes() const;
@@ -69,10 +87,24 @@ class Session {
   std::optional<scene::Camera> own_camera() const;
 
  private:
+  struct Lamps {
+    std::vector<PlacedLight> lights;
+    std::vector<std::size_t> entries;  // one a light: Scene::light_entries, then a number of its own for each added one
+    std::vector<std::size_t> firsts;
+  };
+  using Steps = std::vector<std::shared_ptr<const Lamps>>;
+
+  void take(Lamps lamps);
+  void step_back(Steps& from, Steps& to);
+  void forget_removed_pick();
+
   drawing::SceneOptions given_;
   scene::Scene scene_;
-  std::vector<std::size_t> firsts_;
-  std::shared_ptr<const std::vector<PlacedLight>> lights_;
+  std::shared_ptr<const Lamps> given_lamps_;
+  std::shared_ptr<const Lamps> lamps_;
+  Steps undone_to_;
+  Steps redone_to_;
+  bool is_step_open_ = false;
   bool was_split_ = false;
 };
 

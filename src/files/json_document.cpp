@@ -399,24 +399,32 @@ class JsonEditor {
   JsonValue with(std::string_view path, const JsonValue& value) {
     const std::size_t begin = append(*value.document_);
     document_->sources.back() = {.name = option_, .begin = begin, .has_lines = false};
+    const bool is_removal = std::holds_alternative<std::monostate>(value.document_->root.value);
     JsonNode* node = &document_->root;
+    JsonNode* holder = nullptr;
     for (std::size_t end = 0; end < path.size();) {
+      holder = node;
       const std::string_view parent = path.substr(0, end);
       if (path[end] == '[') {
         const std::size_t close = path.find(']', end);
         if (close == path.npos) fail_path(path);
         JsonNode& array = *node;
-        node = &item(array, parent, path.substr(0, close + 1), path.substr(end + 1, close - end - 1));
+        const bool may_append = close + 1 == path.size() && !is_removal;
+        node = &item(array, parent, path.substr(0, close + 1), path.substr(end + 1, close - end - 1), may_append);
         end = close + 1;
         if (end == path.size()) array.offset = begin;  // a rule on all of it that is broken now is the change's
       } else {
         if (end > 0 && path[end++] != '.') fail_path(path);
         const std::size_t stop = std::min(path.find_first_of(".[", end), path.size());
-        node = &member(*node, parent, path.substr(end, stop - end), begin);
+        const bool has_items = stop < path.size() && path[stop] == '[';
+        node = &member(*node, parent, path.substr(end, stop - end), begin, has_items);
         end = stop;
       }
     }
-    put(*value.document_, *node, begin);
+    if (is_removal && holder)
+      remove(*holder, *node);
+    else
+      put(*value.document_, *node, begin);
     return JsonValue(document_);
   }
 
@@ -428,12 +436,14 @@ class JsonEditor {
     fail(quoted_excerpt(path), "", "must be a member such as lights[0].position");
   }
 
-  JsonNode& item(JsonNode& array, std::string_view parent, std::string_view path, std::string_view index) const {
+  JsonNode& item(JsonNode& array, std::string_view parent, std::string_view path, std::string_view index,
+                 bool may_append) const {
     std::size_t i = 0;
     const auto [stop, error] = std::from_chars(index.data(), index.data() + index.size(), i);
     if (index.empty() || stop != index.data() + index.size()) fail_path(path);
     auto* const items = std::get_if<JsonNode::Array>(&array.value);
     if (!items) fail(parent, shown(*document_, array), fmt::format("must be an array, to have {}", path));
+    if (error == std::errc() && i == items->size() && may_append) items->emplace_back();
     if (error != std::errc() || i >= items->size()) {
       fail(path, "",
            items->empty() ? fmt::format("is not there: {} is empty", parent)
@@ -442,7 +452,8 @@ class JsonEditor {
     return (*items)[i];
   }
 
-  JsonNode& member(JsonNode& object, std::string_view parent, std::string_view name, std::size_t name_offset) {
+  JsonNode& member(JsonNode& object, std::string_view parent, std::string_view name, std::size_t name_offset,
+                   bool has_items) {
     const std::string path = parent.empty() ? std::string(name) : fmt::format("{}.{}", parent, name);
     if (name.empty()) fail_path(path);
     if (follow_ && std::holds_alternative<std::string>(object.value)) {
@@ -453,8 +464,21 @@ class JsonEditor {
     auto* const members = std::get_if<JsonNode::Object>(&object.value);
     if (!members) fail(parent, shown(*document_, object), fmt::format("must be an object, to have {}", path));
     const auto [found, is_new] = members->try_emplace(std::string(name));
-    if (is_new) found->second = {.value = JsonNode::Object(), .offset = name_offset, .name_offset = name_offset};
+    if (is_new) {
+      found->second = {.value = JsonNode::Object(), .offset = name_offset, .name_offset = name_offset};
+      if (has_items) found->second.value = JsonNode::Array();
+    }
     return found->second;
+  }
+
+  /// Removes a value from the array or object that holds it.
+  static void remove(JsonNode& holder, const JsonNode& node) {
+    if (auto* const items = std::get_if<JsonNode::Array>(&holder.value)) {
+      items->erase(items->begin() + (&node - items->data()));
+    } else {
+      std::erase_if(std::get<JsonNode::Object>(holder.value),
+                    [&node](const auto& each) { return &each.second == &node; });
+    }
   }
 
   /// Appends the text of another document. Returns where it begins.

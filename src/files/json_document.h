@@ -92,7 +92,8 @@ JsonValue parse_json(std::string text, std::string name);
 using FollowLink = std::function<std::optional<JsonValue>(const JsonValue& link)>;
 
 /// A copy of a document with one value replaced, so that its reader applies all rules to the new value too. Missing
-/// objects on the path are created; the reader decides whether they are allowed.
+/// objects on the path are created; the reader decides whether they are allowed. The index after an array's last one
+/// appends the value. A null removes the member or the item, after which later items have smaller indices.
 ///
 ///     const JsonValue seven = parse_json("7", "--set");
 ///     const JsonValue scene = with_value(read_json("airfield.json"), "lamps[2].threshold", seven, "--set");

@@ -264,13 +264,26 @@ TEST(JsonDocument, MembersThatAreNotThereAreMadeAndRefusedByTheirReader) {
             "--set: \"colour\": must be one of a, color; did you mean color?");
 }
 
+TEST(JsonDocument, IndexAfterTheLastAppendsAndNullRemoves) {
+  EXPECT_EQ(changed("[1, 2]", "[2]", "3").items()[2].number(), 3);
+  EXPECT_EQ(changed("{}", "a[0]", "3").member("a").items()[0].number(), 3);
+  const JsonValue fewer = changed(R"({"a": [1, 2, {"b": 3, "c": 4}]})", "a[0]", "null");
+  ASSERT_EQ(fewer.member("a").items().size(), 2u);
+  EXPECT_EQ(fewer.member("a").items()[0].number(), 2);
+  EXPECT_FALSE(with_value(fewer, "a[1].b", parse_json("null", "value"), "--set").member("a").items()[1].optional("b"));
+  EXPECT_EQ(fewer.member("a").items()[1].member("b").number(), 3);
+  EXPECT_FALSE(changed("{}", "a", "null").optional("a"));
+}
+
 TEST(JsonDocument, PathsThatLeadNowhereAreErrors) {
   const auto error = [](std::string_view path) {
     return error_of([&] { changed(R"({"a": [1, 2], "s": "t", "e": []})", path, "3"); });
   };
-  EXPECT_EQ(error("a[2]"), "--set: a[2]: is not there: the last one is a[1]");
+  EXPECT_EQ(error("a[3]"), "--set: a[3]: is not there: the last one is a[1]");
+  EXPECT_EQ(error("a[2].x"), "--set: a[2]: is not there: the last one is a[1]");
   EXPECT_EQ(error("a[99999999999999999999]"), "--set: a[99999999999999999999]: is not there: the last one is a[1]");
-  EXPECT_EQ(error("e[0]"), "--set: e[0]: is not there: e is empty");
+  EXPECT_EQ(error("e[1]"), "--set: e[1]: is not there: e is empty");
+  EXPECT_EQ(error_of([] { changed("[1]", "[1]", "null"); }), "--set: [1]: is not there: the last one is [0]");
   EXPECT_EQ(error("a.x"), "--set: a = an array: must be an object, to have a.x");
   EXPECT_EQ(error("a[0].x"), "--set: a[0] = 1: must be an object, to have a[0].x");
   EXPECT_EQ(error("s[0]"), "--set: s = \"t\": must be an array, to have s[0]");

@@ -98,6 +98,11 @@ TEST_F(PictureMakerTest, PicturesAreThoseOfLitfogDemoWhateverHasBeenChanged) {
   next.lights = std::make_shared<const std::vector<PlacedLight>>(lights);
   next.settings[0].display = {.exposure = render::Exposure{.is_auto = true}, .tone = render::ToneCurve::clip};
   expect_same("size, a light and display");
+  lights[1].light.color = glm::dvec3(0);
+  lights.push_back(lights[0]);
+  lights.back().position.x += 1;
+  next.lights = std::make_shared<const std::vector<PlacedLight>>(lights);
+  expect_same("a light more, and one removed");
   next.settings.push_back(next.settings[0]);
   next.settings[1].fog_light = render::FogLighting::peak;
   next.settings[1].fog = FogMode::exp2;

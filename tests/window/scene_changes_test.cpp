@@ -67,10 +67,10 @@ Light changed(Light light) {
 }
 
 TEST_F(SceneChangesTest, OnlyWhatDiffersIsAChange) {
-  const Light light = scene::read_scene(path("scene.json")).lights[0].light;
+  const PlacedLight light = scene::read_scene(path("scene.json")).lights[0];
   EXPECT_TRUE(changes_of("lights[0]", light, light).empty());
-  Light brighter = light;
-  brighter.attenuation.quadratic = 0.0005;
+  PlacedLight brighter = light;
+  brighter.light.attenuation.quadratic = 0.0005;
   const auto changes = changes_of("lights[7]", light, brighter);
   ASSERT_EQ(changes.size(), 1u);
   EXPECT_EQ(changes[0].member, "lights[7].attenuation.quadratic");
@@ -81,16 +81,38 @@ TEST_F(SceneChangesTest, ReaderAndSavedFileGiveTheChangedLightBack) {
   const Scene original = scene::read_scene(path("scene.json"));
   for (const std::size_t entry : {0u, 1u}) {
     const std::size_t light = entry == 0 ? 1 : 3;
-    const Light wanted = changed(original.lights[light].light);
-    const auto changes = changes_of(original.light_members[entry], original.lights[light].light, wanted);
+    PlacedLight wanted = original.lights[light];
+    wanted.light = changed(wanted.light);
+    const auto changes = changes_of(original.light_members[entry], original.lights[light], wanted);
     for (const Scene& scene : {scene::read_scene(path("scene.json"), {}, changes), saved({}, changes)}) {
       ASSERT_EQ(scene.lights.size(), original.lights.size());
       for (std::size_t i = 0; i < scene.lights.size(); ++i) {
         const bool is_changed = (i < 3) == (entry == 0) && i < 4;
-        expect_same(scene.lights[i].light, is_changed ? wanted : original.lights[i].light);
+        expect_same(scene.lights[i].light, is_changed ? wanted.light : original.lights[i].light);
         EXPECT_EQ(scene.lights[i].position, original.lights[i].position);
       }
     }
+  }
+}
+
+TEST_F(SceneChangesTest, LightsAreMovedAddedAndRemovedInReadersAndSavedFiles) {
+  const Scene original = scene::read_scene(path("scene.json"));
+  PlacedLight moved = original.lights[3];
+  moved.position = {1, 2, 3};
+  moved.direction = glm::normalize(glm::dvec3(1, -1, 0.5));
+  PlacedLight added{.light = changed(moved.light), .position = {7, 8, 9}, .direction = {0, -1, 0}, .carried = true};
+  added.light.name = "it's new";
+  auto changes = changes_of("lights[1]", original.lights[3], moved);
+  changes.push_back({"lights[3]", light_entry(added)});
+  changes.push_back({"lights[0]", "null"});
+  for (const Scene& scene : {scene::read_scene(path("scene.json"), {}, changes), saved({}, changes)}) {
+    ASSERT_EQ(scene.lights.size(), 3u);
+    EXPECT_EQ(scene.lights[0].position, moved.position);
+    EXPECT_LE(glm::distance(scene.lights[0].direction, moved.direction), 1e-15);
+    EXPECT_EQ(scene.lights[1].position, original.lights[4].position);
+    expect_same(scene.lights[2].light, added.light);
+    EXPECT_EQ(scene.lights[2].position, added.position);
+    EXPECT_TRUE(scene.lights[2].carried);
   }
 }
 

@@ -59,8 +59,8 @@ TEST(Session, PresetsOfCategoriesAreRunwayVisualRangesByAnyContrast) {
 
 TEST(Session, ChangedLightTakesItsCopiesAlongAndIsReset) {
   Session session = street();
-  Light light = session.lights()[2].light;
-  light.attenuation.quadratic = 0.5;
+  PlacedLight light = session.lights()[2];
+  light.light.attenuation.quadratic = 0.5;
   session.change(2, light);
   EXPECT_EQ(session.copies(2), 6u);
   for (std::size_t i = 0; i < session.lights().size(); ++i) {
@@ -72,6 +72,68 @@ TEST(Session, ChangedLightTakesItsCopiesAlongAndIsReset) {
   EXPECT_EQ(changes[0].member + "=" + changes[0].value, "lights[0].attenuation.quadratic=0.5");
   session.reset(5);
   EXPECT_TRUE(session.changes().empty());
+}
+
+TEST(Session, MovedLightTakesItsCopiesAlong) {
+  Session session = street();
+  PlacedLight light = session.lights()[2];
+  light.position += glm::dvec3(1, 0, -2);
+  session.change(2, light);
+  for (std::size_t i = 0; i < session.lights().size(); ++i) {
+    const glm::dvec3 step = session.lights()[i].position - session.scene().lights[i].position;
+    EXPECT_LE(glm::distance(step, i < 6 ? glm::dvec3(1, 0, -2) : glm::dvec3(0)), 1e-12) << i;
+  }
+  EXPECT_EQ(session.changes()[0].member, "lights[0].position");
+}
+
+TEST(Session, AllChangesBetweenTwoEndsAreOneStepThatIsUndoneAndRedone) {
+  Session session = street();
+  EXPECT_FALSE(session.can_undo());
+  PlacedLight light = session.lights()[0];
+  for (const double quadratic : {0.5, 0.6}) {
+    light.light.attenuation.quadratic = quadratic;
+    session.change(0, light);
+  }
+  session.end_step();
+  session.reset(0);
+  session.end_step();
+  EXPECT_FALSE(session.is_changed(0));
+  session.undo();
+  EXPECT_EQ(session.lights()[0].light.attenuation.quadratic, 0.6);
+  session.undo();
+  EXPECT_FALSE(session.has_changes());
+  EXPECT_FALSE(session.can_undo());
+  session.redo();
+  EXPECT_EQ(session.lights()[0].light.attenuation.quadratic, 0.6);
+  session.end_step();
+  session.change(0, session.scene().lights[0]);  // another future
+  EXPECT_FALSE(session.can_redo());
+  session.reset_all();
+  EXPECT_FALSE(session.has_changes());
+}
+
+TEST(Session, AddedAndRemovedLightsAreThoseOfTheCommandsScene) {
+  Session session = street();
+  const std::size_t count = session.lights().size();
+  session.add(session.lights()[0]);
+  EXPECT_EQ(session.picked, count);
+  EXPECT_TRUE(session.is_changed(count));
+  PlacedLight moved = session.lights()[count];
+  moved.position = {3, 2, 1};
+  session.change(count, moved);
+  EXPECT_EQ(session.lights()[0].position, session.scene().lights[0].position);  // no copy of it
+  session.end_step();
+  session.remove(0);
+  EXPECT_EQ(session.picked, count);
+  EXPECT_EQ(session.firsts().front(), 6u);
+  const scene::Scene again = scene::read_scene(scene::bundled_scene_path("street"), {}, session.changes());
+  ASSERT_EQ(again.lights.size(), count - 6 + 1);
+  EXPECT_EQ(again.lights.back().position, moved.position);
+  EXPECT_EQ(again.lights[0].position, session.scene().lights[6].position);
+  session.undo();
+  session.undo();
+  EXPECT_FALSE(session.has_changes());
+  EXPECT_FALSE(session.picked);  // it is gone
 }
 
 TEST(Session, OrderDiffersWhereThePictureMay) {
@@ -87,7 +149,7 @@ TEST(Session, OrderDiffersWhereThePictureMay) {
   session.settings[0].display.tone = render::ToneCurve::clip;
   EXPECT_NE(order, session.order(100, 50, false));
   session.settings[0].display.tone = render::ToneCurve::neutral;
-  session.change(0, session.lights()[0].light);
+  session.change(0, session.lights()[0]);
   EXPECT_NE(order, session.order(100, 50, false));  // it may be another
 }
 
@@ -126,12 +188,12 @@ TEST(Session, LightsOfACityChangeWithAllOfTheirKind) {
   const scene::Scene city = scene::read_scene(path);
   Session session({.scene = "city"}, city, {});
   const std::size_t last = city.lights.size() - 1;
-  Light light = city.lights[last].light;
+  PlacedLight light = city.lights[last];
   const auto kind = std::size_t(
-      std::ranges::count_if(city.lights, [&](const PlacedLight& each) { return each.light.name == light.name; }));
+      std::ranges::count_if(city.lights, [&](const PlacedLight& each) { return each.light.name == light.light.name; }));
   EXPECT_EQ(session.copies(last), kind);
   EXPECT_EQ(session.firsts().size(), 4u);
-  light.threshold = 0.2;
+  light.light.threshold = 0.2;
   session.change(last, light);
   const auto changes = session.changes();
   ASSERT_EQ(changes.size(), 1u);

@@ -35,6 +35,11 @@ class WindowCommand : public CommandTest {
     }
   }
 
+  static bool can_be_steered() {
+    const auto is_found = [](const std::string& path) { return !path.ends_with("NOTFOUND"); };
+    return LITFOG_HAS_WINDOW && is_found(LITFOG_XVFB) && is_found(LITFOG_XDOTOOL);
+  }
+
   /// Waits for a condition, a minute at most.
   template <typename Condition>
   static bool wait_for(const Condition& holds) {
@@ -68,6 +73,10 @@ class WindowCommand : public CommandTest {
   void steer(const std::string& events) const {
     ASSERT_EQ(shell("DISPLAY=:$(cat display) timeout 60 " LITFOG_XDOTOOL " " + events + " >xdotool 2>&1"), 0)
         << read("xdotool") << read("window-errors");
+  }
+
+  void click(int x, int y) const {
+    steer(fmt::format("mousemove {} {} sleep 0.2 mousedown 1 sleep 0.2 mouseup 1 sleep 0.2", x, y));
   }
 
   /// The line that the window says next.
@@ -110,15 +119,48 @@ class WindowCommand : public CommandTest {
     return pixels;
   }
 
+  /// Saves the window's picture, and expects it on the screen, and as the one that the window's command draws. Returns
+  /// that.
+  std::string expect_picture_of_command(const std::string& file) {
+    steer("key ctrl+p");
+    const std::string saved = next_line();
+    steer("key ctrl+c");
+    const std::string command = next_line();
+    EXPECT_TRUE(saved.starts_with(file + ": ")) << saved;
+    EXPECT_EQ(run(command.substr(command.find(' ')) + " -o headless.png").status, kDone) << command << read("err");
+    int width = 0;
+    int headless_width = 0;
+    const auto window = read_png(file, width);
+    const auto headless = read_png("headless.png", headless_width);
+    EXPECT_EQ(window.size(), headless.size());
+    EXPECT_EQ(width, headless_width);
+    if (testing::Test::HasFailure()) return command;
+    const Screen shown = screen();
+    int largest = 0;
+    int largest_shown = 0;
+    int brightest = 0;
+    for (std::size_t i = 0; i < headless.size(); ++i) {
+      const int x = int(i) % width;
+      const int y = int(i) / width;
+      largest = std::max(largest, apart(window[i], headless[i]));
+      largest_shown = std::max(largest_shown, apart(shown.pixel(kWidth - width + x, y), headless[i]));
+      brightest = std::max(brightest, headless[i][0]);
+    }
+    EXPECT_LE(largest, 1);
+    EXPECT_LE(largest_shown, 1);
+    EXPECT_GT(brightest, 100);  // something is to be seen
+    return command;
+  }
+
+  static int apart(const std::array<int, 3>& a, const std::array<int, 3>& b) {
+    return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
+  }
+
  private:
   int server_ = 0;
   int window_ = 0;
   std::size_t said_ = 0;
 };
-
-int apart(const std::array<int, 3>& a, const std::array<int, 3>& b) {
-  return std::max({std::abs(a[0] - b[0]), std::abs(a[1] - b[1]), std::abs(a[2] - b[2])});
-}
 
 // Where the window shows the lamp of this scene at first.
 constexpr int kLampX = 601;
@@ -132,48 +174,37 @@ constexpr const char* kScene = R"({"litfog": "scene", "version": 1, "name": "yar
               {"model": "box", "width_m": 30, "height_m": 0.1, "depth_m": 30, "position": [0, -0.1, 0]}]})";
 
 TEST_F(WindowCommand, SteeredWindowShowsAndSavesThePictureThatItsCommandDraws) {
-  if (!LITFOG_HAS_WINDOW) GTEST_SKIP() << "litfog-window was not built";
-  if (std::string(LITFOG_XVFB).ends_with("NOTFOUND") || std::string(LITFOG_XDOTOOL).ends_with("NOTFOUND")) {
-    GTEST_SKIP() << "Xvfb or xdotool is missing";
-  }
+  if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
   write("yard.json", kScene);
   start_window(fmt::format("yard.json --size {}x{}", kWidth, kHeight));
-  const std::string click = " sleep 0.2 mousedown 1 sleep 0.2 mouseup 1 sleep 0.2";
-  steer("mousemove 150 144" + click);                             // the preset CAT II
-  steer(fmt::format("mousemove {} {}", kLampX, kLampY) + click);  // which picks the lamp
-  steer("mousemove 700 334" + click);                             // its quadratic coefficient's slider
-  steer("mousemove 310 200" + click);                             // no lamp: nothing is marked any more
+  click(150, 144);        // the preset CAT II
+  click(kLampX, kLampY);  // which picks the lamp
+  click(700, 334);        // its quadratic coefficient's slider
+  click(310, 200);        // no lamp: nothing is marked any more
   steer("mousedown 1 mousemove 340 190 sleep 0.2 mousemove 380 185 sleep 0.2 mouseup 1");  // orbits
-  steer("click 4 sleep 0.2 mousemove 20 470 key ctrl+p");  // approaches; then over nothing that is marked by it
-  const std::string saved = next_line();
-  steer("key ctrl+c");
-  const std::string command = next_line();
-  ASSERT_TRUE(saved.starts_with("yard-1.png: ")) << saved;
+  steer("click 4 sleep 0.2 mousemove 20 470");  // approaches; then over nothing that is marked by it
+  const std::string command = expect_picture_of_command("yard-1.png");
   const double cat_2 = visibility(fog_from_runway_visual_range(FogMode::exp, 300));
   ASSERT_TRUE(command.starts_with(fmt::format("litfog-demo yard.json --visibility {} --camera ", cat_2))) << command;
   EXPECT_NE(command.find(" --set 'lights[0].attenuation.quadratic="), command.npos) << command;
-  ASSERT_EQ(run(command.substr(command.find(' ')) + " -o headless.png").status, kDone) << read("err");
+}
 
-  int width = 0;
-  int headless_width = 0;
-  const auto window = read_png("yard-1.png", width);
-  const auto headless = read_png("headless.png", headless_width);
-  ASSERT_EQ(window.size(), headless.size());
-  ASSERT_EQ(width, headless_width);
-  const Screen shown = screen();
-  int largest = 0;
-  int largest_shown = 0;
-  int brightest = 0;
-  for (std::size_t i = 0; i < headless.size(); ++i) {
-    const int x = int(i) % width;
-    const int y = int(i) / width;
-    largest = std::max(largest, apart(window[i], headless[i]));
-    largest_shown = std::max(largest_shown, apart(shown.pixel(kWidth - width + x, y), headless[i]));
-    brightest = std::max(brightest, headless[i][0]);
-  }
-  EXPECT_LE(largest, 1);
-  EXPECT_LE(largest_shown, 1);
-  EXPECT_GT(brightest, 100);  // something is to be seen
+TEST_F(WindowCommand, LampsAreAddedMovedRemovedAndAllOfItIsUndone) {
+  if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
+  write("yard.json", kScene);
+  start_window(fmt::format("yard.json --size {}x{}", kWidth, kHeight));
+  click(320, 279);  // the lamp's line in the list
+  click(467, 260);  // adds a copy of it
+  steer(
+      "mousemove 600 150 sleep 0.2 keydown ctrl mousedown 1 mousemove 620 140 sleep 0.2 mousemove 690 110 sleep 0.2 "
+      "mouseup 1 keyup ctrl");
+  click(320, 279);
+  steer("key Delete sleep 0.2 mousemove 20 470");
+  const std::string command = expect_picture_of_command("yard-1.png");
+  EXPECT_NE(command.find(R"( --set 'lights[1]={"light":{"name":"lamp",)"), command.npos) << command;
+  EXPECT_NE(command.find(" --set 'lights[0]=null'"), command.npos) << command;
+  steer("key ctrl+z sleep 0.2 key ctrl+z sleep 0.2 key ctrl+z sleep 0.2 key ctrl+c");
+  EXPECT_EQ(next_line().find("--set"), std::string::npos);
 }
 
 TEST_F(WindowCommand, WindowWithoutADisplayIsAMissingCapability) {

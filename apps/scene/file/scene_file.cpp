@@ -610,6 +610,9 @@ void change_lights(Scene& scene, const std::vector<SceneChange>& changes) {
     root = files::with_value(root, changed_member(change.member), changed_value(change), kChangePlace);
   }
   const std::vector<JsonValue> stated = root.member("lights").items();
+  if (stated.size() != scene.lights.size()) {
+    throw InputError({.file = kChangePlace}, "lights", "", "must be as many as a glTF file has");
+  }
   for (const std::size_t i : changed) {
     stated[i].allow_only({"light", "color"});
     const JsonValue light = stated[i].member("light");

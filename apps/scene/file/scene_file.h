@@ -87,6 +87,8 @@ namespace litfog::scene {
 ///     {"lights[0].attenuation.quadratic", "0.002"}      of the light, wherever it is written: lights[0].light may be a
 ///     {"city.window.threshold", "0.1"}                  file's name; other lights from that file stay as they are
 ///     {"lights[1].threshold", "0.1"}                    of a glTF file: its second light, as a light file states it
+///     {"lights[3]", "{\"light\": ...}"}                 a light more in a file that has three
+///     {"lights[0].aim", "null"}                         no longer stated; {"lights[0]", "null"}: the others move up
 ///
 /// Entries of "lights" with copies change with all of them.
 struct SceneChange {
