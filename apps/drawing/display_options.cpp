@@ -43,19 +43,14 @@ void add_display(CLI::App& app, DisplayOptions& options) {
          "EV by which a .png is brighter than the scene's light; auto chooses it from the picture (default the "
          "scene's; auto for glTF files)")
       ->type_name("EV|auto");
-  command::add_choice<std::optional<render::ToneCurve>>(
-      app, "--tone", options.tone, {{"neutral", render::ToneCurve::neutral}, {"clip", render::ToneCurve::clip}},
+  command::add_choice(
+      app, "--tone", options.tone, kTones,
       "How a .png shows light beyond its white: neutral keeps the hue (Khronos PBR Neutral), clip cuts each channel "
       "(default the scene's, else neutral)");
-  command::add_choice<std::optional<Glare>>(app, "--glare", options.glare, {{"eye", Glare::eye}, {"none", Glare::none}},
-                                            "Whether a .png shows light as the eye's optics spread it (Spencer et al. "
-                                            "1995), so that of two lamps the brighter is the larger (default eye with "
-                                            "airlight, none with peak)");
+  command::add_choice(app, "--glare", options.glare, kGlares,
+                      "Whether a .png shows light as the eye's optics spread it (Spencer et al. 1995), so that of two "
+                      "lamps the brighter is the larger (default eye with airlight, none with peak)");
 }
-
-const char* tone_name(render::ToneCurve tone) { return tone == render::ToneCurve::neutral ? "neutral" : "clip"; }
-
-const char* glare_name(Glare glare) { return glare == Glare::eye ? "eye" : "none"; }
 
 std::string display_in_words(const Display& display) {
   std::string words;
@@ -63,7 +58,7 @@ std::string display_in_words(const Display& display) {
   if (exposure.is_auto || exposure.ev != 0)
     words = fmt::format("EV {}{}", exposure.ev, exposure.is_auto ? " (auto)" : "");
   if (display.tone != render::ToneCurve::neutral) {
-    words += fmt::format("{}tone {}", words.empty() ? "" : ", ", tone_name(display.tone));
+    words += fmt::format("{}tone {}", words.empty() ? "" : ", ", command::word_of(kTones, display.tone));
   }
   return words;
 }

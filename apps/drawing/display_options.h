@@ -4,14 +4,11 @@
 #include <optional>
 #include <string>
 
+#include "command/choice.h"
 #include "drawing/glare.h"
 #include "render/display.h"
 #include "render/render_settings.h"
 #include "scene/scene.h"
-
-namespace CLI {
-class App;
-}
 
 namespace litfog::drawing {
 
@@ -39,9 +36,13 @@ struct DisplayOptions {
 /// --exposure, --tone and --glare.
 void add_display(CLI::App& app, DisplayOptions& options);
 
-/// The names on the command line.
-const char* tone_name(render::ToneCurve tone);
-const char* glare_name(Glare glare);
+// The words on the command line.
+inline constexpr command::Choice<render::ToneCurve> kTones[] = {
+    {"neutral", render::ToneCurve::neutral, "Light beyond white keeps its hue (Khronos PBR Neutral)"},
+    {"clip", render::ToneCurve::clip, "Each channel is cut at white, as in the papers"}};
+inline constexpr command::Choice<Glare> kGlares[] = {
+    {"eye", Glare::eye, "Light spread as the eye spreads it; left out while the picture moves"},
+    {"none", Glare::none, "Light as it comes"}};
 
 /// "EV -7.32 (auto), tone clip": exposure and tone that are not the default of our own scenes; empty where both are.
 std::string display_in_words(const Display& display);

@@ -147,8 +147,8 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
   if (display) {
     stats["exposure_ev"] = display->exposure.ev;
     stats["exposure_auto"] = display->exposure.is_auto;
-    stats["tone"] = tone_name(display->tone);
-    stats["glare"] = glare_name(display->glare);
+    stats["tone"] = command::word_of(kTones, display->tone);
+    stats["glare"] = command::word_of(kGlares, display->glare);
   }
   if (drawn.comparison) {
     const measure::PictureError& error = drawn.comparison->error;

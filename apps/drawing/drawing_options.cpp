@@ -53,12 +53,8 @@ void add_number(
 }
 
 void add_layers(CLI::App& app, DrawingOptions& options) {
-  const auto take = [&options](const std::string& text) {
-    options.layers = text == "none" ? std::vector<FogLayer>() : scene::read_fog_layers(text);
-    options.layers_file = text;
-  };
   app.add_option_function<std::string>(
-         "--layers", take,
+         "--layers", [&options](const std::string& text) { take_layers(options, text); },
          "Layers of fog in place of the scene's, from a file that holds an array as a scene file's atmosphere.layers; "
          "--visibility is then that outside them (default inf)")
       ->type_name("FILE|none");
@@ -124,6 +120,8 @@ render::RenderSettings DrawingOptions::settings_of(const render::LightingPath& p
   settings.fog_lighting = path.takes_airlight ? fog_light.value_or(own) : render::FogLighting::peak;
   settings.scattering = scattering.value_or(render::Scattering::all);
   if (!path.takes_airlight) settings.shadows = render::Shadows::none;
+  const bool is_peak = settings.fog_lighting == render::FogLighting::peak;
+  if (is_peak && settings.shadows == render::Shadows::shafts) settings.shadows = render::Shadows::surfaces;
   settings.has_eye_threshold = display.glare_of(settings.fog_lighting) == Glare::eye;
   return settings;
 }
@@ -144,6 +142,11 @@ Atmosphere DrawingOptions::atmosphere_of(const scene::Scene& scene, double metre
     command::fail_option("--scattering", "all", fmt::format("{} {}", error->field, error->rule));
   }
   return air;
+}
+
+void take_layers(DrawingOptions& options, const std::string& file) {
+  options.layers = file == "none" ? std::vector<FogLayer>() : scene::read_fog_layers(file);
+  options.layers_file = file;
 }
 
 void add_fog(CLI::App& app, DrawingOptions& options) {
@@ -192,7 +195,7 @@ void add_size(CLI::App& app, DrawingOptions& options) {
 
 void add_rendering(CLI::App& app, DrawingOptions& options) {
   add_size(app, options);
-  command::add_choice(app, "--samples", options.render.samples, {{"1", 1}, {"2", 2}, {"4", 4}, {"8", 8}},
+  command::add_choice(app, "--samples", options.render.samples, kSamples,
                       "At least this many samples a pixel (default 4)");
   app.add_flag_callback(
       "--no-skip", [&options] { options.render.skipping = render::Skipping::off; },
@@ -208,10 +211,8 @@ void add_rendering(CLI::App& app, DrawingOptions& options) {
                "Highlights as seen from far away along the camera's axis");
   command::add_integer(app, "--map-size", papers.map_size, 8, 256,
                        "Edge of the path's light maps in texels (default 128)");
-  using render::ConeMaps;
   command::add_choice(
-      app, "--cone-maps", papers.cone_maps,
-      {{"scaled", ConeMaps::scaled}, {"even", ConeMaps::even}, {"one-disc", ConeMaps::one_disc}},
+      app, "--cone-maps", papers.cone_maps, kConeMaps,
       "Cube maps of paths with light maps: scaled spans one face by each cone below 90 degrees, as the papers do; even "
       "spreads cones wider than 60 degrees over all faces; one-disc is Frazier's one map for every cone (default "
       "scaled)");
@@ -219,14 +220,12 @@ void add_rendering(CLI::App& app, DrawingOptions& options) {
 }
 
 void add_fog_light(CLI::App& app, DrawingOptions& options) {
-  command::add_choice<std::optional<render::FogLighting>>(
-      app, "--fog-light", options.fog_light,
-      {{"peak", render::FogLighting::peak}, {"airlight", render::FogLighting::airlight}},
+  command::add_choice(
+      app, "--fog-light", options.fog_light, kFogLights,
       "How lamps light the fog: peak is the papers' way, in which only carried lights do; airlight is that of every "
       "lamp along each ray (default airlight with --path unified, else peak)");
-  command::add_choice<std::optional<render::Scattering>>(
-      app, "--scattering", options.scattering,
-      {{"single", render::Scattering::single}, {"all", render::Scattering::all}},
+  command::add_choice(
+      app, "--scattering", options.scattering, kScatterings,
       "With airlight: whether the fog sends to the eye what it scatters once, or also what it scatters more often, "
       "which "
       "is most of it beyond one visibility (default all in exp fog of albedo 1 that is isotropic, hg:G with G in [0, "
@@ -235,8 +234,7 @@ void add_fog_light(CLI::App& app, DrawingOptions& options) {
 
 void add_shadows(CLI::App& app, DrawingOptions& options) {
   command::add_choice(
-      app, "--shadows", options.render.shadows,
-      {{"none", render::Shadows::none}, {"surfaces", render::Shadows::surfaces}, {"shafts", render::Shadows::shafts}},
+      app, "--shadows", options.render.shadows, kShadows,
       "What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight, which errs by up "
       "to 2.5 steps of 1/255 at the edges of shafts (default none)");
   command::add_integer(

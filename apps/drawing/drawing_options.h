@@ -5,16 +5,13 @@
 #include <string>
 #include <vector>
 
+#include "command/choice.h"
 #include "command/option_rule.h"
 #include "drawing/display_options.h"
 #include "litfog/atmosphere.h"
 #include "litfog/runway_visual_range.h"
 #include "render/render_settings.h"
 #include "scene/scene.h"
-
-namespace CLI {
-class App;
-}
 
 namespace litfog::command {
 struct NumberRule;
@@ -23,6 +20,24 @@ struct NumberRule;
 namespace litfog::drawing {
 
 extern const command::NumberRule kSeconds;  ///< for --time
+
+// The words of options.
+inline constexpr command::Choice<render::FogLighting> kFogLights[] = {
+    {"peak", render::FogLighting::peak, "The papers' way: carried lamps by their fog colour intensity"},
+    {"airlight", render::FogLighting::airlight, "Every lamp by what the fog scatters into the eye along each ray"}};
+inline constexpr command::Choice<render::Scattering> kScatterings[] = {
+    {"single", render::Scattering::single, "What the fog scatters once"},
+    {"all", render::Scattering::all,
+     "Also what it scatters more often, in exp fog without layers that absorbs nothing"}};
+inline constexpr command::Choice<render::Shadows> kShadows[] = {
+    {"none", render::Shadows::none, "Lamps shine through everything"},
+    {"surfaces", render::Shadows::surfaces, "Lamps and moon cast shadows on surfaces"},
+    {"shafts", render::Shadows::shafts, "On surfaces and through the airlight"}};
+inline constexpr command::Choice<int> kSamples[] = {
+    {"1", 1, "A pixel"}, {"2", 2, "A pixel"}, {"4", 4, "A pixel"}, {"8", 8, "A pixel"}};
+inline constexpr command::Choice<render::ConeMaps> kConeMaps[] = {{"scaled", render::ConeMaps::scaled, ""},
+                                                                  {"even", render::ConeMaps::even, ""},
+                                                                  {"one-disc", render::ConeMaps::one_disc, ""}};
 
 /// What the jobs of litfog-demo have in common: how they draw. A job adds the options that mean something to it.
 struct DrawingOptions {
@@ -61,6 +76,9 @@ struct DrawingOptions {
   /// which no droplets make, is isotropic unless asked otherwise. Throws the usage error of layers in exp2 fog.
   Atmosphere atmosphere_of(const scene::Scene& scene, double metres) const;
 };
+
+/// Takes layers from a file, or "none". Throws InputError.
+void take_layers(DrawingOptions& options, const std::string& file);
 
 /// --fog, for a job that draws clear air anyway, --layers, --phase and --albedo.
 void add_fog(CLI::App& app, DrawingOptions& options);

@@ -11,8 +11,10 @@
 namespace litfog::window {
 namespace {
 
+using command::word_of;
+
 /// A word for a POSIX shell.
-std::string quoted(std::string_view word) {
+std::string shell_word(std::string_view word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./,:=@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) return std::string(word);
   std::string text = "'";
@@ -28,12 +30,6 @@ std::string contrast_word(double contrast) {
                                            : fmt::format("{}", contrast);
 }
 
-const char* cone_maps_word(render::ConeMaps maps) { return maps == render::ConeMaps::even ? "even" : "one-disc"; }
-
-const char* shadows_word(render::Shadows shadows) {
-  return shadows == render::Shadows::surfaces ? "surfaces" : "shafts";
-}
-
 }  // namespace
 
 std::string to_string(const DrawingCommand& command) {
@@ -41,9 +37,10 @@ std::string to_string(const DrawingCommand& command) {
   const drawing::DrawingOptions usual;
   const render::LightingPath& path = *options.render.path;
   const render::RenderSettings drawn = options.settings();
-  std::string text = "litfog-demo " + quoted(command.scene);
+  const bool is_airlight = drawn.fog_lighting == render::FogLighting::airlight;
+  std::string text = "litfog-demo " + shell_word(command.scene);
   const auto add = [&text](bool is_given, const std::string& option, const std::string& value = "") {
-    if (is_given) text += " " + option + (value.empty() ? "" : " " + quoted(value));
+    if (is_given) text += " " + option + (value.empty() ? "" : " " + shell_word(value));
   };
   add(!options.fog, "--fog", "none");
   add(options.fog == FogMode::exp2, "--fog", "exp2");
@@ -51,7 +48,6 @@ std::string to_string(const DrawingCommand& command) {
     add(options.visibility.has_value(), "--visibility", fmt::format("{}", options.visibility.value_or(0)));
     add(options.contrast != usual.contrast, "--contrast", contrast_word(options.contrast));
     add(!options.layers_file.empty(), "--layers", options.layers_file);
-    const bool is_airlight = drawn.fog_lighting == render::FogLighting::airlight;
     add(is_airlight && !options.phase.empty(), "--phase", options.phase);
     add(is_airlight && options.albedo, "--albedo", fmt::format("{}", options.albedo.value_or(1)));
   }
@@ -59,14 +55,16 @@ std::string to_string(const DrawingCommand& command) {
   const bool has_maps = path.maps != render::LightMapSet::none;
   const render::PaperSettings& papers = drawn.papers;
   add(has_maps && papers.map_size != usual.render.papers.map_size, "--map-size", fmt::format("{}", papers.map_size));
-  add(has_maps && papers.cone_maps != usual.render.papers.cone_maps, "--cone-maps", cone_maps_word(papers.cone_maps));
+  add(has_maps && papers.cone_maps != usual.render.papers.cone_maps, "--cone-maps",
+      word_of(drawing::kConeMaps, papers.cone_maps));
   const bool is_lookup = drawing::is_hales_lookup(path);
   add(is_lookup && papers.is_flat_shaded, "--flat-shading");
   add(is_lookup && papers.light_ambient != 0, "--light-ambient", fmt::format("{}", papers.light_ambient));
   add(path.surface == render::SurfaceModel::basic && papers.has_infinite_viewer, "--infinite-viewer");
-  add(path.takes_airlight && options.fog_light, "--fog-light", name_of(drawn.fog_lighting));
+  add(path.takes_airlight && options.fog_light, "--fog-light", word_of(drawing::kFogLights, drawn.fog_lighting));
+  add(is_airlight && options.scattering, "--scattering", word_of(drawing::kScatterings, drawn.scattering));
   if (drawn.shadows != render::Shadows::none) {
-    add(true, "--shadows", shadows_word(drawn.shadows));
+    add(true, "--shadows", word_of(drawing::kShadows, drawn.shadows));
     add(drawn.shadow_lamps != usual.render.shadow_lamps, "--shadow-lamps", fmt::format("{}", drawn.shadow_lamps));
     add(drawn.shadow_map_size != usual.render.shadow_map_size, "--shadow-map-size",
         fmt::format("{}", drawn.shadow_map_size));
@@ -75,8 +73,8 @@ std::string to_string(const DrawingCommand& command) {
   if (const auto& exposure = options.display.exposure) {
     add(true, "--exposure", exposure->is_auto ? "auto" : fmt::format("{}", exposure->ev));
   }
-  if (options.display.tone) add(true, "--tone", drawing::tone_name(*options.display.tone));
-  if (options.display.glare) add(true, "--glare", drawing::glare_name(*options.display.glare));
+  if (options.display.tone) add(true, "--tone", word_of(drawing::kTones, *options.display.tone));
+  if (options.display.glare) add(true, "--glare", word_of(drawing::kGlares, *options.display.glare));
   add(drawn.samples != usual.render.samples, "--samples", fmt::format("{}", drawn.samples));
   add(options.render.skipping == render::Skipping::off, "--no-skip");
   if (command.camera) {

@@ -17,6 +17,10 @@ void label(const char* name) {
   ImGui::SetNextItemWidth(-FLT_MIN);
 }
 
+void explain(const char* sentence) {
+  if (*sentence && ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", sentence);
+}
+
 bool slide(const char* name, double& value, double low, double high, const char* format, ImGuiSliderFlags flags) {
   label(name);
   if (!ImGui::SliderScalar((std::string("##") + name).c_str(), ImGuiDataType_Double, &value, &low, &high, format,
@@ -41,7 +45,7 @@ bool small_button(const char* text, bool is_enabled, const char* meaning) {
   ImGui::BeginDisabled(!is_enabled);
   const bool is_pressed = ImGui::SmallButton(text);
   ImGui::EndDisabled();
-  if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) ImGui::SetTooltip("%s", meaning);
+  explain(meaning);
   return is_pressed;
 }
 

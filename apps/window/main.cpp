@@ -146,9 +146,10 @@ void App::order_pictures() {
 
 void App::draw(const std::string& shortcuts) {
   take_delivery();
+  if (session_.runs) session_.set_time(session_.time() + std::min(double(ImGui::GetIO().DeltaTime), 0.1));
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float font = ImGui::GetFontSize();
-  const float side = std::min(font * 21, size.x / 2);
+  const float side = std::min(font * 23, size.x / 2);
   const float bottom = std::min(font * 17, size.y / 2);
   const float status = ImGui::GetFrameHeight() + 4;
   constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
@@ -161,6 +162,7 @@ void App::draw(const std::string& shortcuts) {
   place({0, 0}, {side, size.y});
   ImGui::Begin("settings", nullptr, kFixed & ~ImGuiWindowFlags_NoScrollbar);
   Wishes wishes = draw_settings(session_, shown_exposure());
+  if (!wishes.complaint.empty()) say(wishes.complaint);
   ImGui::End();
 
   place({side, size.y - bottom}, {size.x - side, bottom});
@@ -226,7 +228,7 @@ void App::draw_status() const {
 }
 
 double App::rest() const {
-  if (picture_.is_moving()) return kFrameSeconds;
+  if (picture_.is_moving() || session_.runs) return kFrameSeconds;
   const double still_in = changed_at_ + DrawingPace::kStillAfter - now_in_milliseconds();
   return still_in > 0 ? still_in / 1000 + 0.005 : kRestSeconds;
 }
@@ -299,7 +301,6 @@ ExitStatus show(const CLI::App& app, Options& options) {
   check_options(app, drawing::drawing_rules(options.drawing));
   scene::Scene scene = drawing::read_scene(options.scene);
   drawing::check_scene_options(app, scene);
-  scene::move_to_time(scene, options.drawing.seconds);
   scene::Scene facts = scene;
   facts.models.clear();
   facts.instances.clear();

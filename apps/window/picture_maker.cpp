@@ -4,6 +4,7 @@
 #include <deque>
 #include <utility>
 
+#include "command/command.h"
 #include "command/wall_timer.h"
 #include "drawing/drawing.h"
 #include "drawing/picture_file.h"
@@ -28,8 +29,9 @@ class KeptRenderer {
       if (!has_size) renderer_->set_size(order.width, order.height);
       const bool are_casters_stale =
           settings.shadows != render::Shadows::none && order.camera.position != camera_.position;
-      if (order.lights != lights_ || are_casters_stale) renderer_->set_lights();
+      if (order.lights != lights_ || scene.seconds != seconds_ || are_casters_stale) renderer_->set_lights();
     }
+    seconds_ = scene.seconds;
     camera_ = order.camera;
     lights_ = order.lights;
     const Atmosphere atmosphere = options.atmosphere_of(scene, options.visibility_in(scene));
@@ -65,6 +67,7 @@ class KeptRenderer {
   std::optional<render::Renderer> renderer_;
   scene::Camera camera_;
   std::shared_ptr<const std::vector<PlacedLight>> lights_;
+  double seconds_ = 0;
   std::optional<double> chosen_;  // the last automatic exposure
 };
 
@@ -114,6 +117,7 @@ std::string PictureMaker::gl_renderer() const {
 void PictureMaker::work(scene::Scene scene) try {
   const gl::HeadlessContext context;
   std::shared_ptr<const std::vector<PlacedLight>> lights;
+  const auto cookie_uses = scene.cookie_uses;
   std::deque<KeptRenderer> renderers;  // which resizing does not move
   std::unique_lock lock(mutex_);
   gl_renderer_ = context.renderer();
@@ -127,8 +131,12 @@ void PictureMaker::work(scene::Scene scene) try {
 
     const command::WallTimer timer;
     const PictureOrder& order = delivery.order;
-    if (order.lights != lights) scene.lights = *order.lights;
-    lights = order.lights;
+    if (const double seconds = order.settings[0].seconds; order.lights != lights || seconds != scene.seconds) {
+      lights = order.lights;
+      scene.lights = *lights;
+      scene.cookie_uses = cookie_uses;
+      scene::move_to_time(scene, seconds);
+    }
     scene.camera = order.camera;
     renderers.resize(order.settings.size());
     try {
@@ -146,6 +154,9 @@ void PictureMaker::work(scene::Scene scene) try {
       delivery.pictures.clear();
       delivery.error = missing.what();
       renderers.clear();
+    } catch (const CLI::Error& wrong) {  // settings that exclude each other
+      delivery.pictures.clear();
+      delivery.error = wrong.what();
     }
     delivery.milliseconds = timer.milliseconds();
     lock.lock();

@@ -23,10 +23,11 @@ namespace litfog::window {
 
 /// Pictures of one view to draw: one for each of a list of settings.
 struct PictureOrder {
-  std::vector<drawing::DrawingOptions> settings;  ///< sizes and times are ignored
+  std::vector<drawing::DrawingOptions> settings;  ///< of one time; sizes are ignored
   scene::Camera camera;
-  std::shared_ptr<const std::vector<PlacedLight>> lights;  ///< replace the scene's, one each; never null
-  int width = 0;                                           ///< pixels
+  /// Replace the scene's at time 0, in their order, with those added at the end; never null.
+  std::shared_ptr<const std::vector<PlacedLight>> lights;
+  int width = 0;  ///< pixels
   int height = 0;
   bool is_sketch = false;  ///< soon replaced: an automatic exposure stays as it was, and there is no glare
 
@@ -54,6 +55,7 @@ struct Delivery {
 /// window stays awake however long a picture takes.
 class PictureMaker {
  public:
+  /// scene    as it was read, at time 0
   /// deliver  called on that thread when something can be taken
   PictureMaker(scene::Scene scene, std::function<void()> deliver);
   ~PictureMaker();

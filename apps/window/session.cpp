@@ -18,6 +18,7 @@ Session::Session(drawing::SceneOptions given, scene::Scene scene, const drawing:
       each.visibility = each.visibility_of_runway_visual_range(*each.runway_visual_range);
       each.runway_visual_range.reset();
     }
+    if (!each.visibility && each.layers && !each.layers->empty()) each.visibility = each.visibility_in(scene_);
     if (!each.visibility) each.visibility = scene::suggested_visibility(scene_);
   }
   Lamps lamps{.lights = scene_.lights, .entries = scene_.light_entries, .firsts = {}};
@@ -28,6 +29,10 @@ Session::Session(drawing::SceneOptions given, scene::Scene scene, const drawing:
     is_met[entry] = true;
   }
   lamps_ = given_lamps_ = std::make_shared<const Lamps>(std::move(lamps));
+}
+
+void Session::set_time(double seconds) {
+  for (drawing::DrawingOptions& each : settings) each.seconds = std::min(seconds, scene::kMaxSeconds);
 }
 
 void Session::split(bool on) {

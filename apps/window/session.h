@@ -37,7 +37,11 @@ class Session {
   CameraMotion motion = CameraMotion::orbit;
   std::optional<std::size_t> picked;  ///< index of a light
 
+  bool runs = false;  ///< whether time passes
+
   drawing::DrawingOptions& edited_settings() { return settings[edited]; }
+  double time() const { return settings[0].seconds; }
+  void set_time(double seconds);  ///< of both settings
   void split(bool on);
 
   const scene::Scene& scene() const { return scene_; }  ///< as it was given

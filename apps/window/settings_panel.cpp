@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_stdlib.h>
 
 #include <cmath>
 #include <glm/glm.hpp>
 
+#include "command/number.h"
+#include "litfog/input_error.h"
 #include "render/plan/lighting_path.h"
 #include "text/shown_number.h"
 #include "window/controls.h"
@@ -21,16 +24,12 @@ void heading(const char* text) {
   ImGui::TextDisabled("%s", text);
 }
 
-void explain(const char* sentence) {
-  if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", sentence);
-}
-
-template <typename Value>
-bool choice(const char* text, Value& value, const Value& meant) {
-  if (!ImGui::RadioButton(text, value == meant)) return false;
-  value = meant;
-  return true;
-}
+constexpr command::Choice<std::optional<FogMode>> kFogModes[] = {{"exp", FogMode::exp, "What droplets make"},
+                                                                 {"exp2", FogMode::exp2, "As rasterisers' fog has it"},
+                                                                 {"none", std::nullopt, "Clear air"}};
+constexpr command::Choice<CameraMotion> kMotions[] = {
+    {"orbits", CameraMotion::orbit, ""},
+    {"flies", CameraMotion::fly, "Look around by dragging; W A S D, Q and E move, with Shift faster"}};
 
 void draw_presets(drawing::DrawingOptions& options) {
   const float spacing = ImGui::GetStyle().ItemSpacing.x / 2;
@@ -53,15 +52,65 @@ void draw_presets(drawing::DrawingOptions& options) {
   ImGui::PopStyleVar();
 }
 
-void draw_fog(Session& session) {
+/// A kind of phase function as files::phase_named() takes it.
+struct PhaseKind {
+  const char* text;
+  const char* prefix;
+  double first, least, most;  ///< its number's; all 0: it has none
+};
+constexpr PhaseKind kPhaseKinds[] = {{"as in the scene", "", 0, 0, 0},
+                                     {"isotropic", "isotropic", 0, 0, 0},
+                                     {"Henyey and Greenstein", "hg:", 0.8, -0.95, 0.95},
+                                     {"droplets", "droplets:", 10, 5, 50}};
+
+void draw_phase(drawing::DrawingOptions& options) {
+  const PhaseKind* kind = kPhaseKinds;
+  for (const PhaseKind& each : kPhaseKinds) {
+    if (*each.prefix && options.phase.starts_with(each.prefix)) kind = &each;
+  }
+  const auto set = [&options](const PhaseKind& of, double number) {
+    options.phase = of.prefix + (of.most > 0 ? fmt::format("{}", number) : "");
+  };
+  label("Phase");
+  if (ImGui::BeginCombo("##phase", kind->text)) {
+    for (const PhaseKind& each : kPhaseKinds) {
+      if (ImGui::Selectable(each.text, &each == kind)) set(each, each.first);
+    }
+    ImGui::EndCombo();
+  }
+  explain("How droplets spread what they scatter");
+  if (!(kind->most > 0)) return;
+  const auto number = command::parse_number(std::string_view(options.phase).substr(options.phase.find(':') + 1));
+  double value = number.value_or(kind->first);
+  const bool is_droplets = kind->least > 0;
+  if (slide(is_droplets ? "Diameter" : "Asymmetry", value, kind->least, kind->most,
+            is_droplets ? "%.3g \u00b5m" : "%.3g")) {
+    set(*kind, value);
+  }
+}
+
+/// Returns why a file of layers cannot be taken.
+std::string draw_layers(drawing::DrawingOptions& options) {
+  label("Layers");
+  std::string file = options.layers_file;
+  const bool is_entered =
+      ImGui::InputTextWithHint("##layers", "the scene's; a file, or none", &file, ImGuiInputTextFlags_EnterReturnsTrue);
+  explain("A file of layers of fog that replace the scene's, taken by Enter");
+  if (!is_entered || file == options.layers_file) return "";
+  try {
+    if (!file.empty()) drawing::take_layers(options, file);
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  if (file.empty()) options.layers.reset();
+  options.layers_file = file;
+  return "";
+}
+
+std::string draw_fog(Session& session) {
   drawing::DrawingOptions& options = session.edited_settings();
   heading("FOG");
-  label("Mode");
-  choice("exp", options.fog, std::optional(FogMode::exp));
-  ImGui::SameLine();
-  choice("exp2", options.fog, std::optional(FogMode::exp2));
-  ImGui::SameLine();
-  choice("none", options.fog, std::optional<FogMode>());
+  choose("Mode", options.fog, kFogModes);
   ImGui::BeginDisabled(!options.fog);
   double metres = *options.visibility;
   const char* const format = std::isinf(metres) ? "clear" : metres < 1e4 ? "%.4g m" : "%.0f m";
@@ -82,17 +131,24 @@ void draw_fog(Session& session) {
     ImGui::EndCombo();
   }
   explain("The contrast that is left at the visibility: what its metres mean");
-  ImGui::EndDisabled();
   const Fog fog = session.fog(session.edited);
-  const double range = runway_visual_range(fog, options.runway_lights);
-  if (std::isinf(range)) {
-    ImGui::TextDisabled("clear air");
-  } else {
-    ImGui::TextDisabled("RVR %.4g m, density %.4g / m", range, fog.density);
+  double range = runway_visual_range(fog, options.runway_lights);
+  if (slide("RVR", range, 10, 5000, std::isinf(range) ? "clear" : "%.4g m", ImGuiSliderFlags_Logarithmic) &&
+      !find_runway_visual_range_error(range, options.runway_lights)) {
+    options.visibility = options.visibility_of_runway_visual_range(range);
   }
-  explain(fmt::format("Runway visual range: how far lamps of {} cd are seen from {} lx at the eye, or markings",
-                      options.runway_lights.candela, options.runway_lights.illuminance_threshold)
+  explain(fmt::format("Runway visual range: how far lamps of {} cd are seen from {} lx at the eye, or markings\n"
+                      "Density: {:.4g} / m",
+                      options.runway_lights.candela, options.runway_lights.illuminance_threshold, fog.density)
               .c_str());
+  ImGui::BeginDisabled(options.settings().fog_lighting != render::FogLighting::airlight);
+  draw_phase(options);
+  double albedo = options.albedo.value_or(session.scene().atmosphere.albedo);
+  if (slide("Albedo", albedo, 0, 1, "%.3g")) options.albedo = albedo;
+  ImGui::EndDisabled();
+  const std::string complaint = draw_layers(options);
+  ImGui::EndDisabled();
+  return complaint;
 }
 
 void draw_lighting(drawing::DrawingOptions& options) {
@@ -109,21 +165,30 @@ void draw_lighting(drawing::DrawingOptions& options) {
     }
     ImGui::EndCombo();
   }
-  label("Fog light");
-  const bool takes_airlight = options.render.path->takes_airlight;
-  render::FogLighting fog_light = options.settings().fog_lighting;
-  ImGui::BeginDisabled(!takes_airlight);
-  if (choice("airlight", fog_light, render::FogLighting::airlight)) options.fog_light = fog_light;
-  explain("Every lamp by what the fog scatters into the eye along each ray");
-  ImGui::SameLine();
-  if (choice("peak", fog_light, render::FogLighting::peak)) options.fog_light = fog_light;
-  explain("The papers' way: carried lamps by their fog colour intensity");
+  render::RenderSettings drawn = options.settings();
+  ImGui::BeginDisabled(!options.render.path->takes_airlight);
+  if (choose("Fog light", drawn.fog_lighting, drawing::kFogLights)) options.fog_light = drawn.fog_lighting;
+  ImGui::BeginDisabled(drawn.fog_lighting != render::FogLighting::airlight);
+  if (choose("Scattering", drawn.scattering, drawing::kScatterings)) {
+    options.scattering.reset();  // all, where fog has it
+    if (drawn.scattering == render::Scattering::single) options.scattering = drawn.scattering;
+  }
   ImGui::EndDisabled();
+  if (choose("Shadows", drawn.shadows, drawing::kShadows)) options.render.shadows = drawn.shadows;
+  ImGui::EndDisabled();
+  choose("Samples", options.render.samples, drawing::kSamples);
   label("Skipping");
   bool skips = options.render.skipping == render::Skipping::on;
   if (ImGui::Checkbox("what cannot be seen", &skips)) {
     options.render.skipping = skips ? render::Skipping::on : render::Skipping::off;
   }
+}
+
+void draw_time(Session& session) {
+  heading("TIME");
+  double seconds = session.time();
+  if (slide("Seconds", seconds, 0, 60, "%.4g s")) session.set_time(seconds);
+  ImGui::Checkbox("Lamps turn and flash", &session.runs);
 }
 
 void draw_display(drawing::DrawingOptions& options, const scene::Scene& scene, const render::Exposure& shown) {
@@ -139,26 +204,15 @@ void draw_display(drawing::DrawingOptions& options, const scene::Scene& scene, c
     options.display.exposure = {.ev = std::round(double(ev) * 20) / 20, .is_auto = false};
   }
   ImGui::EndDisabled();
-  label("Tone");
   render::ToneCurve tone = options.display.tone_of(scene);
-  if (choice("neutral", tone, render::ToneCurve::neutral)) options.display.tone = tone;
-  ImGui::SameLine();
-  if (choice("clip", tone, render::ToneCurve::clip)) options.display.tone = tone;
-  label("Glare");
+  if (choose("Tone", tone, drawing::kTones)) options.display.tone = tone;
   drawing::Glare glare = options.display.glare_of(options.settings().fog_lighting);
-  if (choice("eye", glare, drawing::Glare::eye)) options.display.glare = glare;
-  explain("Light spread as the eye spreads it; left out while the picture moves");
-  ImGui::SameLine();
-  if (choice("none", glare, drawing::Glare::none)) options.display.glare = glare;
+  if (choose("Glare", glare, drawing::kGlares)) options.display.glare = glare;
 }
 
 void draw_camera(Session& session) {
   heading("CAMERA");
-  label("Dragging");
-  choice("orbits", session.motion, CameraMotion::orbit);
-  ImGui::SameLine();
-  choice("flies", session.motion, CameraMotion::fly);
-  explain("Look around by dragging; W A S D, Q and E move, with Shift faster");
+  choose("Dragging", session.motion, kMotions);
   label("Field of view");
   float degrees = glm::degrees(session.camera.field_of_view);
   if (ImGui::SliderFloat("##fov", &degrees, 10, 120, "%.0f\u00b0", ImGuiSliderFlags_AlwaysClamp)) {
@@ -184,15 +238,15 @@ Wishes draw_settings(Session& session, const render::Exposure& shown_exposure) {
   if (session.is_split) {
     for (const std::size_t which : {0u, 1u}) {
       ImGui::SameLine();
-      choice(which == 0 ? "A, left" : "B, right", session.edited, which);
+      if (ImGui::RadioButton(which == 0 ? "A, left" : "B, right", session.edited == which)) session.edited = which;
     }
   }
-  draw_fog(session);
+  Wishes wishes{.complaint = draw_fog(session)};
   draw_lighting(session.edited_settings());
+  if (drawing::changes_with_time(session.scene())) draw_time(session);
   draw_display(session.edited_settings(), session.scene(), shown_exposure);
   draw_camera(session);
   heading("KEEP");
-  Wishes wishes;
   const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;
   wishes.picture = ImGui::Button("Save picture", {half, 0});
   explain("As litfog-demo writes it (Ctrl+P)");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <string>
+
 #include "window/session.h"
 
 namespace litfog::window {
@@ -9,7 +11,8 @@ namespace litfog::window {
 struct Wishes {
   bool picture = false;  ///< to be saved
   bool scene = false;
-  bool command = false;  ///< to be copied
+  bool command = false;        ///< to be copied
+  std::string complaint = {};  ///< why a setting cannot be as it was asked for
 };
 
 /// Draws the controls of fog, lighting, display and camera into the current ImGui window.

@@ -23,6 +23,7 @@ TEST(CommandLine, EveryControlHasItsOption) {
   options.contrast = kContrastKoschmieder;
   options.phase = "hg:0.5";
   options.fog_light = render::FogLighting::airlight;
+  options.scattering = render::Scattering::single;
   options.render.shadows = render::Shadows::shafts;
   options.render.skipping = render::Skipping::off;
   options.render.samples = 8;
@@ -35,7 +36,8 @@ TEST(CommandLine, EveryControlHasItsOption) {
   command.changes = {{"lights[0].attenuation.quadratic", "0.002"}, {"lights[1].color", "[1.0,0.5,0.25]"}};
   EXPECT_EQ(to_string(command),
             "litfog-demo room --fog exp2 --visibility 62.5 --contrast koschmieder --phase hg:0.5 --fog-light airlight "
-            "--shadows shafts --time 1.5 --exposure -2.25 --tone clip --glare none --samples 8 --no-skip --camera "
+            "--scattering single --shadows shafts --time 1.5 --exposure -2.25 --tone clip --glare none --samples 8 "
+            "--no-skip --camera "
             "0.1,-2,3e-05 "
             "--target 1,2,3 --fov-deg 47.5 --set 'lights[0].attenuation.quadratic=0.002' "
             "--set 'lights[1].color=[1.0,0.5,0.25]' --size 640x360");

@@ -50,6 +50,7 @@ class PictureMakerTest : public GlTest {
     if (order.is_sketch) options.display.glare = drawing::Glare::none;
     options.width = order.width;
     options.height = order.height;
+    scene::move_to_time(scene, options.seconds);
     command::Progress progress;
     const drawing::Drawn drawn = drawing::draw(scene, options, {}, progress, 1, false, false);
     return drawing::shown_pixels(drawing::displayed(drawn.picture, scene.camera, drawn.display));
@@ -108,6 +109,33 @@ TEST_F(PictureMakerTest, PicturesAreThoseOfLitfogDemoWhateverHasBeenChanged) {
   next.settings[1].fog = FogMode::exp2;
   next.settings[1].contrast = kContrastFlightgear;
   expect_same("two settings");
+}
+
+TEST_F(PictureMakerTest, TimeTurnsCookiesAsLitfogDemoDoes) {
+  scene_ = scene::read_scene(scene::bundled_scene_path("cookies"));
+  PictureMaker maker(scene_, [] {});
+  PictureOrder next = order(48, 27);
+  std::vector<std::uint8_t> before;
+  for (const double seconds : {0.0, 3.0, 1.0}) {
+    next.settings[0].seconds = seconds;
+    maker.order(next);
+    const auto pixels = wait(maker).pictures[0].pixels;
+    EXPECT_EQ(pixels, drawn_by_demo(next, 0)) << seconds;
+    EXPECT_NE(pixels, before);
+    before = pixels;
+  }
+}
+
+TEST_F(PictureMakerTest, SettingsThatExcludeEachOtherAreToldAndOthersAreDrawn) {
+  PictureMaker maker(scene_, [] {});
+  PictureOrder next = order(16, 9);
+  next.settings[0].fog = FogMode::exp2;
+  next.settings[0].layers = std::vector{FogLayer{.base = 0, .top = 5, .visibility = 20}};
+  maker.order(next);
+  EXPECT_NE(wait(maker).error.find("--fog = exp2: must be exp"), std::string::npos);
+  next.settings[0].fog = FogMode::exp;
+  maker.order(next);
+  EXPECT_EQ(wait(maker).pictures[0].pixels, drawn_by_demo(next, 0));
 }
 
 TEST_F(PictureMakerTest, SketchKeepsTheAutomaticExposure) {

@@ -163,7 +163,7 @@ class WindowCommand : public CommandTest {
 };
 
 // Where the window shows the lamp of this scene at first.
-constexpr int kLampX = 601;
+constexpr int kLampX = 615;
 constexpr int kLampY = 70;
 constexpr const char* kScene = R"({"litfog": "scene", "version": 1, "name": "yard", "visibilities_m": [60],
   "camera": {"position": [0, 2, 9], "target": [0, 1.5, 0], "field_of_view_deg": 50},
@@ -178,14 +178,18 @@ TEST_F(WindowCommand, SteeredWindowShowsAndSavesThePictureThatItsCommandDraws) {
   write("yard.json", kScene);
   start_window(fmt::format("yard.json --size {}x{}", kWidth, kHeight));
   click(150, 144);        // the preset CAT II
+  click(105, 398);        // scattering: single
+  click(169, 423);        // shadows: surfaces
   click(kLampX, kLampY);  // which picks the lamp
-  click(700, 334);        // its quadratic coefficient's slider
-  click(310, 200);        // no lamp: nothing is marked any more
-  steer("mousedown 1 mousemove 340 190 sleep 0.2 mousemove 380 185 sleep 0.2 mouseup 1");  // orbits
+  click(728, 334);        // its quadratic coefficient's slider
+  click(338, 200);        // no lamp: nothing is marked any more
+  steer("mousedown 1 mousemove 368 190 sleep 0.2 mousemove 408 185 sleep 0.2 mouseup 1");  // orbits
   steer("click 4 sleep 0.2 mousemove 20 470");  // approaches; then over nothing that is marked by it
   const std::string command = expect_picture_of_command("yard-1.png");
   const double cat_2 = visibility(fog_from_runway_visual_range(FogMode::exp, 300));
-  ASSERT_TRUE(command.starts_with(fmt::format("litfog-demo yard.json --visibility {} --camera ", cat_2))) << command;
+  ASSERT_TRUE(command.starts_with(
+      fmt::format("litfog-demo yard.json --visibility {} --scattering single --shadows surfaces --camera ", cat_2)))
+      << command;
   EXPECT_NE(command.find(" --set 'lights[0].attenuation.quadratic="), command.npos) << command;
 }
 
@@ -193,12 +197,12 @@ TEST_F(WindowCommand, LampsAreAddedMovedRemovedAndAllOfItIsUndone) {
   if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
   write("yard.json", kScene);
   start_window(fmt::format("yard.json --size {}x{}", kWidth, kHeight));
-  click(320, 279);  // the lamp's line in the list
-  click(467, 260);  // adds a copy of it
+  click(348, 279);  // the lamp's line in the list
+  click(495, 260);  // adds a copy of it
   steer(
       "mousemove 600 150 sleep 0.2 keydown ctrl mousedown 1 mousemove 620 140 sleep 0.2 mousemove 690 110 sleep 0.2 "
       "mouseup 1 keyup ctrl");
-  click(320, 279);
+  click(348, 279);
   steer("key Delete sleep 0.2 mousemove 20 470");
   const std::string command = expect_picture_of_command("yard-1.png");
   EXPECT_NE(command.find(R"( --set 'lights[1]={"light":{"name":"lamp",)"), command.npos) << command;
