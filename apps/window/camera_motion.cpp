@@ -41,14 +41,26 @@ void fly(scene::Camera& camera, double right, double up, double ahead) {
   camera.target = camera.target + step;
 }
 
-void orbit(scene::Camera& camera, double right, double up) {
-  const Direction from_eye = direction_of(view(camera));
-  camera.position = camera.target - unit_vector(tilted(from_eye, -right, -up)) * target_distance(camera);
+void orbit(scene::Camera& camera, const glm::dvec3& pivot, double right, double up) {
+  const auto frame = [](const scene::Camera& of) {
+    const scene::CameraAxes axes = axes_of(of);
+    return glm::dmat3(axes.right, axes.up, -axes.forward);
+  };
+  scene::Camera turned = camera;
+  look(turned, -right, -up);
+  const glm::dvec3 from_pivot = frame(turned) * (glm::transpose(frame(camera)) * (camera.position - pivot));
+  camera.position = pivot + from_pivot;
+  camera.target = camera.position + view(turned);
 }
 
-void approach(scene::Camera& camera, double factor) {
-  const double distance = target_distance(camera);
-  camera.position = camera.target - view(camera) * (std::clamp(distance * factor, kNearest, kFarthest) / distance);
+void approach(scene::Camera& camera, const glm::dvec3& pivot, double factor) {
+  const glm::dvec3 way = pivot - camera.position;
+  const double distance = glm::length(way);
+  if (!(distance > 0)) return;
+  const double left = std::clamp(distance * factor, kNearest, kFarthest);
+  const glm::dvec3 forward = axes_of(camera).forward;
+  camera.position += way * (1 - left / distance);
+  camera.target = camera.position + left * forward;
 }
 
 double target_distance(const scene::Camera& camera) { return glm::length(view(camera)); }

@@ -24,11 +24,11 @@ void look(scene::Camera& camera, double right, double up);
 /// Moves eye and target: metres to the right and ahead in the camera's own directions, and up in the world's.
 void fly(scene::Camera& camera, double right, double up, double ahead);
 
-/// Moves the eye about the target: radians to the right and up.
-void orbit(scene::Camera& camera, double right, double up);
+/// Moves eye and target about a point, which stays where it is in the picture: radians to the right and up.
+void orbit(scene::Camera& camera, const glm::dvec3& pivot, double right, double up);
 
-/// Multiplies the eye's distance from the target, which ends at 0.1 m and at 100 km.
-void approach(scene::Camera& camera, double factor);
+/// Multiplies the eye's distance from a point, which ends at 0.1 m and at 100 km. The target is then as far away.
+void approach(scene::Camera& camera, const glm::dvec3& pivot, double factor);
 
 double target_distance(const scene::Camera& camera);  ///< metres
 

@@ -5,21 +5,16 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <cmath>
 #include <glm/glm.hpp>
 #include <string>
-#include <vector>
 
 #include "command/number.h"
-#include "text/shown_number.h"
 #include "window/camera_motion.h"
 #include "window/controls.h"
-#include "window/range_curve.h"
+#include "window/curve_panel.h"
 
 namespace litfog::window {
 namespace {
-
-constexpr int kCurveSamples = 240;
 
 bool slide_degrees(const char* name, double& radians, double low, double high) {
   double degrees = glm::degrees(radians);
@@ -158,105 +153,6 @@ void draw_controls(Session& session, std::size_t index) {
   if (is_changed && !find_error(placed)) session.change(index, placed);
 }
 
-/// A plot's place on the screen, and what it shows.
-struct Axes {
-  ImVec2 low;   ///< the bottom left corner
-  ImVec2 size;  ///< pixels
-  double end;   ///< largest range, metres
-  double top;   ///< largest value
-
-  ImVec2 at(double range, double value) const {
-    return {low.x + size.x * float(range / end), low.y - size.y * float(value / top)};
-  }
-};
-
-/// 1, 2 or 5 times a power of ten: some five of them make the whole.
-double tick_step(double whole) {
-  const double power = std::pow(10, std::floor(std::log10(whole / 5)));
-  const double times = whole / 5 / power;
-  return power * (times < 1.5 ? 1 : times < 3.5 ? 2 : times < 7.5 ? 5 : 10);
-}
-
-void draw_grid(ImDrawList& draw, const Axes& axes) {
-  const ImU32 line = IM_COL32(255, 255, 255, 22);
-  const ImU32 text = ImGui::GetColorU32(ImGuiCol_TextDisabled);
-  const float font = ImGui::GetFontSize();
-  const double step = tick_step(axes.end);
-  for (double range = 0; range <= axes.end; range += step) {
-    const ImVec2 foot = axes.at(range, 0);
-    draw.AddLine(foot, axes.at(range, axes.top), line);
-    const std::string number = shown_rounded(range, 4) + (range == 0 ? " m" : "");
-    draw.AddText({foot.x - ImGui::CalcTextSize(number.c_str()).x / 2, foot.y + 2}, text, number.c_str());
-  }
-  const double rise = tick_step(axes.top);
-  for (double value = 0; value <= axes.top; value += rise) {
-    const ImVec2 left = axes.at(0, value);
-    draw.AddLine(left, axes.at(axes.end, value), line);
-    if (value == 0) continue;
-    const std::string number = fmt::format("{:.3g}", value);
-    draw.AddText({left.x - ImGui::CalcTextSize(number.c_str()).x - 5, left.y - font / 2}, text, number.c_str());
-  }
-}
-
-void draw_mark(ImDrawList& draw, const Axes& axes, double range, const std::string& text, ImU32 color, float line) {
-  if (!(range > 0 && range <= axes.end)) return;
-  const ImVec2 foot = axes.at(range, 0);
-  const float height = ImGui::GetFontSize();
-  draw.AddLine(foot, axes.at(range, axes.top), color);
-  const float width = ImGui::CalcTextSize(text.c_str()).x;
-  const bool is_left = foot.x + width + 6 > axes.low.x + axes.size.x;
-  draw.AddText({is_left ? foot.x - width - 4 : foot.x + 4, axes.low.y - axes.size.y + line * height}, color,
-               text.c_str());
-}
-
-void draw_curve(const Light& light, const Fog& fog) {
-  const RangeCurve curve = make_range_curve(light, fog, kCurveSamples);
-  const FogIntensity& solved = curve.solved;
-  const ImU32 extent_color = IM_COL32(120, 170, 230, 255);
-  const ImU32 opacity_color = IM_COL32(110, 150, 210, 150);
-  const ImU32 attenuation_color = IM_COL32(130, 190, 130, 170);
-  const ImU32 knee_color = IM_COL32(150, 210, 150, 255);
-  const ImU32 peak_color = IM_COL32(255, 180, 80, 255);
-  const auto name = [](ImU32 color, const char* text) {
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
-    ImGui::TextUnformatted(text);
-    ImGui::PopStyleColor();
-    ImGui::SameLine();
-  };
-  name(peak_color, "(1 - f) a");
-  name(opacity_color, "  1 - f");
-  name(attenuation_color, "  a");
-  ImGui::TextDisabled("  over the range;  I = %.4g", solved.intensity);
-  const float font = ImGui::GetFontSize();
-  const ImVec2 corner = ImGui::GetCursorScreenPos();
-  const ImVec2 room = ImGui::GetContentRegionAvail();
-  const Axes axes{.low = {corner.x + 3.2f * font, corner.y + room.y - 1.5f * font},
-                  .size = {std::max(room.x - 4.2f * font, 1.0f), std::max(room.y - 2 * font, 1.0f)},
-                  .end = curve.end,
-                  .top = solved.intensity > 0 ? solved.intensity * 1.6 : 1};
-  ImDrawList& draw = *ImGui::GetWindowDrawList();
-  draw_grid(draw, axes);
-  const auto plot = [&](double RangeCurve::Sample::*value, ImU32 color, float width) {
-    std::vector<ImVec2> points;
-    for (std::size_t i = 0; i < curve.samples.size(); ++i) {
-      points.push_back(axes.at(curve.end * double(i) / double(curve.samples.size() - 1), curve.samples[i].*value));
-    }
-    draw.PushClipRect(axes.at(0, axes.top), axes.at(axes.end, 0), true);
-    draw.AddPolyline(points.data(), int(points.size()), color, 0, width);
-    draw.PopClipRect();
-  };
-  plot(&RangeCurve::Sample::attenuation, attenuation_color, 1.3f);
-  plot(&RangeCurve::Sample::opacity, opacity_color, 1.3f);
-  plot(&RangeCurve::Sample::product, peak_color, 2);
-  draw_mark(draw, axes, curve.knee, fmt::format("knee {} m", shown_rounded(curve.knee, 4)), knee_color, 2);
-  draw_mark(draw, axes, solved.extent, fmt::format("extent {} m", shown_rounded(solved.extent, 4)), extent_color, 1);
-  if (solved.intensity > 0 && std::isfinite(solved.peak_range)) {
-    draw_mark(draw, axes, solved.peak_range,
-              fmt::format("peak {:.3g} at {} m", solved.intensity, shown_rounded(solved.peak_range, 4)), peak_color, 0);
-    draw.AddCircleFilled(axes.at(solved.peak_range, solved.intensity), 4, peak_color);
-  }
-}
-
 }  // namespace
 
 void draw_lamps(Session& session, std::optional<std::size_t>& hovered) {
@@ -280,7 +176,7 @@ void draw_lamps(Session& session, std::optional<std::size_t>& hovered) {
   ImGui::PopStyleVar(2);
   ImGui::SameLine();
   ImGui::BeginChild("curve", {0, 0});
-  if (session.picked) draw_curve(session.lights()[*session.picked].light, session.fog(session.edited));
+  if (session.picked) draw_curve(session);
   ImGui::EndChild();
 }
 

@@ -17,6 +17,13 @@ std::optional<glm::dvec2> place_in_picture(const scene::Camera& camera, double a
                     (1 - glm::dot(point - eye, up) / half_height) / 2);
 }
 
+EyeRay ray_through(const scene::Camera& camera, double aspect, const glm::dvec2& place) {
+  const auto [forward, right, up] = axes_of(camera);
+  const double half_height = std::tan(double(camera.field_of_view) / 2);
+  const glm::dvec3 across = (2 * place.x - 1) * half_height * aspect * right + (1 - 2 * place.y) * half_height * up;
+  return {.origin = camera.position, .direction = glm::normalize(forward + across)};
+}
+
 std::optional<std::size_t> light_at(const scene::Camera& camera, double aspect, std::span<const PlacedLight> lights,
                                     const glm::dvec2& place, double reach) {
   std::optional<std::size_t> best;

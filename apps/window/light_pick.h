@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 
+#include "litfog/airlight.h"
 #include "litfog/light.h"
 #include "scene/scene.h"
 
@@ -16,6 +17,11 @@ namespace litfog::window {
 ///
 /// aspect  width / height
 std::optional<glm::dvec2> place_in_picture(const scene::Camera& camera, double aspect, const glm::dvec3& point);
+
+/// The ray that a picture shows at a place, without an end.
+///
+/// place  fractions of its width and height
+EyeRay ray_through(const scene::Camera& camera, double aspect, const glm::dvec2& place);
 
 /// The lamp that a click means: of those shown at most `reach` from there that are not black, the nearest to the eye;
 /// what is farther from the click counts as farther away.

@@ -182,7 +182,7 @@ void App::draw(const std::string& shortcuts) {
   place({side, 0}, {size.x - side, size.y - bottom - status});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::Begin("picture", nullptr, kFixed);
-  picture_.draw(session_, hovered_);
+  picture_.draw(session_, maker_.surfaces(), hovered_);
   ImGui::End();
   ImGui::PopStyleVar(2);
 

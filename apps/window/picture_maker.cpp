@@ -74,7 +74,7 @@ class KeptRenderer {
 }  // namespace
 
 PictureMaker::PictureMaker(scene::Scene scene, std::function<void()> deliver)
-    : deliver_(std::move(deliver)), thread_([this, own = std::move(scene)]() mutable { work(std::move(own)); }) {}
+    : scene_(std::move(scene)), surfaces_(scene_), deliver_(std::move(deliver)), thread_([this] { work(); }) {}
 
 PictureMaker::~PictureMaker() {
   {
@@ -114,9 +114,10 @@ std::string PictureMaker::gl_renderer() const {
   return gl_renderer_;
 }
 
-void PictureMaker::work(scene::Scene scene) try {
+void PictureMaker::work() try {
   const gl::HeadlessContext context;
   std::shared_ptr<const std::vector<PlacedLight>> lights;
+  scene::Scene& scene = scene_;
   const auto cookie_uses = scene.cookie_uses;
   std::deque<KeptRenderer> renderers;  // which resizing does not move
   std::unique_lock lock(mutex_);

@@ -14,6 +14,7 @@
 
 #include "drawing/drawing_options.h"
 #include "litfog/light.h"
+#include "measure/triangle_tree.h"
 #include "render/display.h"
 #include "render/picture.h"
 #include "render/plan/frame_counts.h"
@@ -68,13 +69,17 @@ class PictureMaker {
   /// The last delivery, once. Throws what the thread ended with: gl::Unsupported where there is no OpenGL 3.3.
   std::optional<Delivery> take();
   bool is_busy() const;
+  /// The scene's surfaces.
+  const measure::TriangleTree& surfaces() const { return surfaces_; }
   /// GL_RENDERER, empty until the first delivery.
   std::string gl_renderer() const;
 
  private:
-  void work(scene::Scene scene);
+  void work();
   bool is_unwanted(const PictureOrder& begun) const;
 
+  scene::Scene scene_;  // changed by the thread alone
+  measure::TriangleTree surfaces_;
   std::function<void()> deliver_;
   mutable std::mutex mutex_;  // guards everything below except the thread
   std::condition_variable wake_;

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <numbers>
 #include <string>
 
 #include "text/shown_number.h"
@@ -23,6 +24,8 @@ constexpr double kZoomPerNotch = 0.85;     // factor of the target's distance
 constexpr double kTargetsPerSecond = 0.5;  // flying speed in distances to the target
 constexpr double kMinSpeed = 1;            // metres a second
 constexpr float kWipeReach = 7;            // pixels
+constexpr double kFarthestSurface = 1e6;   // metres
+constexpr double kClearance = 0.15;        // metres: more than from the eye to the near plane's corners
 
 void* texture_id(const gl::TextureName& texture) {
   return reinterpret_cast<void*>(std::uintptr_t{texture.id()});  // NOLINT: how ImGui takes OpenGL's names
@@ -79,26 +82,102 @@ void drag_lamp(Session& session, const Area& area) {
   if (!find_error(light)) session.change(*session.picked, light);
 }
 
-/// Turns the camera by what the left button drags, and shifts it by what the right one does.
-void drag_camera(Session& session, const Area& area) {
+/// Turns the camera by what the left button drags, about a point where it orbits, and shifts it by what the right one
+/// does.
+void drag_camera(Session& session, const Area& area, const glm::dvec3& pivot) {
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
   const double right = -double(delta.x / area.size.y);
   const double up = double(delta.y / area.size.y);
   if (ImGui::IsMouseDragging(ImGuiMouseButton_Left)) {
-    const auto turn = session.motion == CameraMotion::orbit ? orbit : look;
-    turn(session.camera, right * kTurnPerHeight, up * kTurnPerHeight);
+    if (session.motion == CameraMotion::orbit)
+      orbit(session.camera, pivot, right * kTurnPerHeight, up * kTurnPerHeight);
+    else
+      look(session.camera, right * kTurnPerHeight, up * kTurnPerHeight);
   } else if (ImGui::IsMouseDragging(ImGuiMouseButton_Right)) {
     const double metres = 2 * target_distance(session.camera) * std::tan(double(session.camera.field_of_view) / 2);
     fly(session.camera, right * metres, up * metres, 0);
   }
 }
 
-void zoom(Session& session, double notches) {
+/// What the mouse points at, or else the camera's target.
+glm::dvec3 pointed_at(const Session& session) {
+  const EyeRay& ray = session.ray;
+  return std::isfinite(ray.length) ? ray.origin + ray.length * ray.direction : session.camera.target;
+}
+
+void zoom(Session& session, const glm::dvec3& pivot, double notches) {
   const double factor = std::pow(kZoomPerNotch, notches);
   if (session.motion == CameraMotion::orbit)
-    approach(session.camera, factor);
+    approach(session.camera, pivot, factor);
   else
     fly(session.camera, 0, 0, (1 - factor) * target_distance(session.camera));
+}
+
+/// Whether a surface is so near that the near plane cuts it.
+bool is_near(const glm::dvec3& at, const measure::TriangleTree& surfaces) {
+  for (const double side : {-1.0, 1.0}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 direction(0);
+      direction[axis] = side;
+      if (surfaces.is_met(at, direction, 0, kClearance)) return true;
+    }
+  }
+  return false;
+}
+
+/// Takes back a move of the camera that comes too near to a surface or goes through one.
+void stay_before_surfaces(scene::Camera& camera, const scene::Camera& before, const measure::TriangleTree& surfaces) {
+  const glm::dvec3 way = camera.position - before.position;
+  const double length = glm::length(way);
+  if (!(length > 0)) return;
+  const bool goes_through = surfaces.is_met(before.position, way / length, 0, length + kClearance);
+  if (goes_through || (is_near(camera.position, surfaces) && !is_near(before.position, surfaces))) camera = before;
+}
+
+/// How far a lamp reaches: circles at its extent, and lines along the edge of its cone.
+void draw_reach(ImDrawList& draw, const Area& area, double aspect, const scene::Camera& camera,
+                const PlacedLight& light) {
+  constexpr int kPieces = 48;
+  constexpr int kEdges = 8;
+  constexpr double kTurn = 2 * std::numbers::pi;
+  const double range = std::min(compute_extent(light.light.attenuation, light.light.threshold), kFarthestSurface);
+  const auto trace = [&](const auto& point_at) {
+    std::optional<glm::dvec2> last;
+    for (int i = 0; i <= kPieces; ++i) {
+      const auto place = place_in_picture(camera, aspect, point_at(double(i) / kPieces));
+      if (last && place) draw.AddLine(area.at(*last), area.at(*place), IM_COL32(255, 180, 80, 120));
+      last = place;
+    }
+  };
+  const auto circle = [&](const glm::dvec3& middle, const glm::dvec3& a, const glm::dvec3& b) {
+    trace([&](double t) { return middle + std::cos(kTurn * t) * a + std::sin(kTurn * t) * b; });
+  };
+  const glm::dvec3& at = light.position;
+  const glm::dvec3 axis = range * light.direction;
+  const glm::dvec3 aside = std::abs(light.direction.y) < 0.9 ? glm::dvec3(0, 1, 0) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 u = range * glm::normalize(glm::cross(light.direction, aside));
+  const glm::dvec3 v = glm::cross(light.direction, u);
+  if (light.light.cone == Cone{}) {
+    circle(at, u, v);
+    circle(at, v, axis);
+    circle(at, axis, u);
+    return;
+  }
+  const double edge = cutoff_angle(light.light.cone);
+  for (const double angle : {edge, angle_at_level(light.light.cone, 0.5)}) {
+    circle(at + std::cos(angle) * axis, std::sin(angle) * u, std::sin(angle) * v);
+  }
+  for (int i = 0; i < kEdges; ++i) {
+    const glm::dvec3 out = std::cos(kTurn * i / kEdges) * u + std::sin(kTurn * i / kEdges) * v;
+    trace([&](double t) { return at + t * (std::cos(edge) * axis + std::sin(edge) * out); });
+  }
+}
+
+/// Where the ray of the curve is.
+void draw_cross(ImDrawList& draw, ImVec2 at) {
+  const ImU32 color = IM_COL32(255, 255, 255, 160);
+  draw.AddLine({at.x - 6, at.y}, {at.x + 7, at.y}, color);
+  draw.AddLine({at.x, at.y - 6}, {at.x, at.y + 7}, color);
 }
 
 /// Rings around the picked lamp, its copies and the lamp under the mouse, which has its name beside it.
@@ -140,7 +219,7 @@ void PicturePanel::show(const Delivery& delivery) {
   for (std::size_t i = 0; i < shown_; ++i) upload(textures_[i], delivery.pictures[i]);
 }
 
-void PicturePanel::draw(Session& session, std::optional<std::size_t> hovered) {
+void PicturePanel::draw(Session& session, const measure::TriangleTree& surfaces, std::optional<std::size_t> hovered) {
   const Area area{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail()};
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
   width_ = std::max(int(area.size.x * scale.x), 1);
@@ -159,26 +238,38 @@ void PicturePanel::draw(Session& session, std::optional<std::size_t> hovered) {
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const ImGuiIO& io = ImGui::GetIO();
   const bool is_over = ImGui::IsItemHovered();
-  const bool is_at_wipe = is_split && is_over && std::abs(io.MousePos.x - area.wipe_x(session)) < kWipeReach;
-  if (ImGui::IsItemActivated()) drags_wipe_ = is_at_wipe;
-  if (is_at_wipe || (drags_wipe_ && ImGui::IsItemActive())) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
+  const scene::Camera before = session.camera;
   const glm::dvec2 mouse = area.fraction_of(io.MousePos);
+  if (is_over) pointed_ = mouse;
+  session.ray = ray_through(session.camera, aspect, pointed_);
+  if (const auto hit = surfaces.nearest(session.ray.origin, session.ray.direction, 0, kFarthestSurface)) {
+    session.ray.length = hit->distance;
+  }
+  const bool is_at_wipe = is_split && is_over && std::abs(io.MousePos.x - area.wipe_x(session)) < kWipeReach;
+  if (ImGui::IsItemActivated()) {
+    drags_wipe_ = is_at_wipe;
+    pivot_ = pointed_at(session);
+  }
+  if (is_at_wipe || (drags_wipe_ && ImGui::IsItemActive())) ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeEW);
   if (ImGui::IsItemActive() && drags_wipe_)
     session.wipe = std::clamp(mouse.x, 0.0, 1.0);
   else if (ImGui::IsItemActive() && io.KeyCtrl && session.picked && session.is_movable(*session.picked))
     drag_lamp(session, area);
   else if (ImGui::IsItemActive())
-    drag_camera(session, area);
+    drag_camera(session, area, pivot_);
   const auto under_mouse = light_at(session.camera, aspect, session.lights(), mouse, kPickReach);
   const bool is_click = ImGui::IsItemDeactivated() && ImGui::IsMouseReleased(ImGuiMouseButton_Left) && !drags_wipe_ &&
                         io.MouseDragMaxDistanceSqr[0] < io.MouseDragThreshold * io.MouseDragThreshold;
   if (is_click) session.picked = under_mouse;
   if (is_over && !is_at_wipe && !ImGui::IsItemActive()) hovered = under_mouse;
-  if (is_over && io.MouseWheel != 0) zoom(session, double(io.MouseWheel));
+  if (is_over && io.MouseWheel != 0) zoom(session, pointed_at(session), double(io.MouseWheel));
+  stay_before_surfaces(session.camera, before, surfaces);
   fly_by_keys(session);
 
   draw.PushClipRect(area.corner, area.end(), true);
   mark_lamps(draw, area, aspect, session, hovered);
+  if (session.picked) draw_reach(draw, area, aspect, session.camera, session.light_now(*session.picked));
+  if (session.picked && !is_over) draw_cross(draw, area.at(pointed_));
   if (is_split) draw_wipe(draw, area, session);
   draw.PopClipRect();
 }

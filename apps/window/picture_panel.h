@@ -18,8 +18,9 @@ class PicturePanel {
 
   /// Draws them over all of the window, and takes the mouse and the keyboard for the session.
   ///
-  /// hovered  a lamp to be marked besides the picked one
-  void draw(Session& session, std::optional<std::size_t> hovered);
+  /// surfaces  of the scene
+  /// hovered   a lamp to be marked besides the picked one
+  void draw(Session& session, const measure::TriangleTree& surfaces, std::optional<std::size_t> hovered);
 
   // As of the last draw(), in pixels of the framebuffer.
   int width() const { return width_; }
@@ -31,7 +32,9 @@ class PicturePanel {
   void fly_by_keys(Session& session);
 
   std::array<gl::TextureName, 2> textures_;
-  std::size_t shown_ = 0;  // how many of them
+  std::size_t shown_ = 0;    // how many of them
+  glm::dvec2 pointed_{0.5};  // where the mouse was last: fractions of the picture
+  glm::dvec3 pivot_{0.0};    // what a drag orbits about
   int width_ = 0;
   int height_ = 0;
   bool is_moving_ = false;

@@ -42,6 +42,16 @@ void Session::split(bool on) {
   edited = on ? 1 : 0;
 }
 
+PlacedLight Session::light_now(std::size_t light) const {
+  scene::Scene alone;
+  alone.lights = {lights()[light]};
+  if (const auto turn = scene_.turn_rates.find(light); turn != scene_.turn_rates.end()) {
+    alone.turn_rates.emplace(0, turn->second);
+  }
+  scene::move_to_time(alone, time());
+  return alone.lights[0];
+}
+
 std::size_t Session::copies(std::size_t light) const {
   return std::size_t(std::ranges::count(lamps_->entries, lamps_->entries[light]));
 }

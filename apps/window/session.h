@@ -10,6 +10,7 @@
 
 #include "drawing/drawing_options.h"
 #include "drawing/scene_options.h"
+#include "litfog/airlight.h"
 #include "scene/scene.h"
 #include "window/command_line.h"
 #include "window/picture_maker.h"
@@ -36,6 +37,7 @@ class Session {
   scene::Camera camera;
   CameraMotion motion = CameraMotion::orbit;
   std::optional<std::size_t> picked;  ///< index of a light
+  EyeRay ray;                         ///< that of the picture at which the mouse was last, with its end
 
   bool runs = false;  ///< whether time passes
 
@@ -47,6 +49,8 @@ class Session {
   const scene::Scene& scene() const { return scene_; }  ///< as it was given
   /// The scene's, of which removed ones are black, and those that have been added.
   const std::vector<PlacedLight>& lights() const { return lamps_->lights; }
+  /// A light as it is turned at the time.
+  PlacedLight light_now(std::size_t light) const;
   /// How many lights change with one: those that the same member of the file states.
   std::size_t copies(std::size_t light) const;
   /// The first light of each such member that has not been removed.

@@ -29,28 +29,47 @@ TEST(CameraMotion, LookingRightTurnsFromMinusZToPlusX) {
 
 TEST(CameraMotion, OrbitingRightMovesTheEyeToPlusXAndKeepsTheTarget) {
   scene::Camera moved = camera();
-  orbit(moved, std::numbers::pi / 2, 0);
-  EXPECT_EQ(moved.target, camera().target);
+  orbit(moved, moved.target, std::numbers::pi / 2, 0);
+  expect_near(moved.target, camera().target);
   expect_near(moved.position, {11, 2, -7});
 }
 
 TEST(CameraMotion, OrbitingUpRaisesTheEye) {
   scene::Camera moved = camera();
-  orbit(moved, 0, std::numbers::pi / 6);
+  orbit(moved, moved.target, 0, std::numbers::pi / 6);
   expect_near(moved.position, {1, 7, -7 + 10 * std::cos(std::numbers::pi / 6)});
 }
 
 TEST(CameraMotion, NeverLooksStraightUpOrDown) {
   for (const double up : {-9.0, 9.0}) {
-    for (const auto move : {look, orbit}) {
+    for (const bool orbits : {false, true}) {
       scene::Camera moved = camera();
-      for (int i = 0; i < 5; ++i) move(moved, 0, up);
+      for (int i = 0; i < 5; ++i) {
+        if (orbits)
+          orbit(moved, moved.target, 0, up);
+        else
+          look(moved, 0, up);
+      }
       EXPECT_TRUE(scene::has_heading(moved));
       const glm::dvec3 view = glm::normalize(glm::dvec3(moved.target) - glm::dvec3(moved.position));
       EXPECT_NEAR(std::asin(std::abs(view.y)), kSteepest, 1e-4);
       EXPECT_LT(view.z, 0);  // it still faces the same way
     }
   }
+}
+
+TEST(CameraMotion, PointThatIsOrbitedStaysWhereItIsInThePicture) {
+  const glm::dvec3 pivot(4, 1, -3);
+  const auto seen = [&](const scene::Camera& from) {
+    const scene::CameraAxes axes = axes_of(from);
+    const glm::dvec3 way = pivot - from.position;
+    return glm::dvec3(glm::dot(way, axes.right), glm::dot(way, axes.up), glm::dot(way, axes.forward));
+  };
+  scene::Camera moved = camera();
+  orbit(moved, pivot, 0.4, -0.3);
+  EXPECT_LE(glm::distance(seen(moved), seen(camera())), 1e-12);
+  EXPECT_GT(glm::distance(moved.position, camera().position), 1);
+  EXPECT_NEAR(target_distance(moved), 10, 1e-12);
 }
 
 TEST(CameraMotion, FlyingKeepsTheViewAndFollowsTheCamerasAxes) {
@@ -63,12 +82,16 @@ TEST(CameraMotion, FlyingKeepsTheViewAndFollowsTheCamerasAxes) {
 
 TEST(CameraMotion, ApproachingEndsBeforeTheTarget) {
   scene::Camera moved = camera();
-  approach(moved, 0.5);
+  approach(moved, moved.target, 0.5);
   expect_near(moved.position, {1, 2, -2});
-  for (int i = 0; i < 100; ++i) approach(moved, 0.5);
+  for (int i = 0; i < 100; ++i) approach(moved, moved.target, 0.5);
   EXPECT_NEAR(target_distance(moved), 0.1, kTolerance);
-  for (int i = 0; i < 100; ++i) approach(moved, 2);
+  for (int i = 0; i < 100; ++i) approach(moved, moved.target, 2);
   EXPECT_NEAR(target_distance(moved), 1e5, 0.01);
+  moved = camera();
+  approach(moved, {1, 5, -1}, 0.5);  // what is not in the middle
+  expect_near(moved.position, {1, 3.5, 1});
+  expect_near(moved.target, {1, 3.5, -1.5});
 }
 
 }  // namespace

@@ -36,6 +36,14 @@ TEST(LightPick, PlaceIsThatOfTheProjection) {
   EXPECT_FALSE(place_in_picture(camera(), kAspect, {3, 2, 6}));  // behind the eye
 }
 
+TEST(LightPick, RayThroughAPlaceShowsItsPointsThere) {
+  for (const glm::dvec2& place : {glm::dvec2(0.1, 0.7), glm::dvec2(0.5, 0.5), glm::dvec2(0.98, 0.02)}) {
+    const EyeRay ray = ray_through(camera(), kAspect, place);
+    const auto shown = place_in_picture(camera(), kAspect, ray.origin + 30.0 * ray.direction);
+    EXPECT_LE(glm::distance(shown.value(), place), 1e-12);
+  }
+}
+
 TEST(LightPick, ClickMeansTheLampUnderIt) {
   const auto lamps = lights({{0, 1, -10}, {4, 6, -30}, {3, 2, 40}});
   for (const std::size_t i : {0u, 1u}) {
