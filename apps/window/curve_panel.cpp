@@ -145,9 +145,8 @@ void draw_airlight_curve(PlacedLight light, const Atmosphere& air, const render:
   if (settings.scattering == render::Scattering::single) curve.all.clear();
   const std::vector<double>& drawn = curve.all.empty() ? curve.single : curve.all;
   if (!curve.all.empty()) name(kAllColor, fmt::format("airlight {:.3g}", curve.all.back()).c_str());
-  name(
-      kExtentColor,
-      fmt::format("{} {:.3g}", curve.all.empty() ? "airlight" : "  of it once scattered", curve.single.back()).c_str());
+  name(kExtentColor,
+       fmt::format("{} {:.3g}", curve.all.empty() ? "airlight" : "  single", curve.single.back()).c_str());
   name(kPeakColor, fmt::format("  peak {:.3g}", peak).c_str());
   ImGui::TextDisabled("  along the ray at +");
   const bool is_peak_near = peak < 3 * drawn.back();  // else its number above has to do

@@ -5,8 +5,12 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <filesystem>
+#include <future>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -22,8 +26,12 @@
 #include "litfog/gl/unsupported.h"
 #include "litfog/input_error.h"
 #include "scene/file/gltf_scene.h"
+#include "text/shown_number.h"
 #include "window/drawing_pace.h"
+#include "window/key_sheet.h"
 #include "window/lamp_panel.h"
+#include "window/light_levels.h"
+#include "window/own_files.h"
 #include "window/picture_maker.h"
 #include "window/picture_panel.h"
 #include "window/scene_changes.h"
@@ -42,20 +50,39 @@ constexpr double kRestSeconds = 0.5;
 constexpr double kWordsStay = 10'000;  // milliseconds
 
 constexpr const char* kDescription =
-    R"(Shows a scene lit by lamps in fog in a window, in which fog, lighting, camera and lamps can be changed.
-
-Drag the picture to orbit or look around, right-drag to pan; the wheel goes nearer. W A S D, Q and E fly,
-with Shift faster. A click picks a lamp, Ctrl and dragging move it; Ctrl+Z undoes what has been done to lamps. Ctrl+P saves the picture, Ctrl+C copies the litfog-demo command that draws it, and
-prints it.)";
+    "Shows a scene lit by lamps in fog in a window, in which fog, lighting, camera and lamps can be changed.";
 
 constexpr const char* kFooter =
-    R"(Example:
+    R"(
+Example:
   litfog-demo window street --visibility 150
 
 Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no display, or no OpenGL 3.3 on it.)";
 
 double now_in_milliseconds() {
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+std::string keys_in_words() {
+  std::string words = "Mouse and keys:\n";
+  for (const KeyMeaning& key : kKeyMeanings) words += fmt::format("  {:<16}{}\n", key.keys, key.meaning);
+  return words;
+}
+
+/// What the window knows of a scene, of which the pictures' thread has the rest.
+scene::Scene facts_of(const scene::Scene& scene) {
+  scene::Scene facts = scene;
+  facts.models.clear();
+  facts.instances.clear();
+  facts.materials.clear();
+  return facts;
+}
+
+std::vector<std::filesystem::file_time_type> times_of(const std::vector<std::string>& files) {
+  std::vector<std::filesystem::file_time_type> times;
+  std::error_code error;  // a file that is gone has a time, too
+  for (const std::string& file : files) times.push_back(std::filesystem::last_write_time(file, error));
+  return times;
 }
 
 /// What a frame drew and left out, in words.
@@ -71,23 +98,40 @@ std::string counts_in_words(const render::FrameCounts& counts) {
 /// The window's panels, and the pictures that they order.
 class App {
  public:
-  App(Session session, PictureMaker& maker) : session_(std::move(session)), maker_(maker) {}
+  App(const drawing::SceneOptions& given, scene::Scene scene, const drawing::DrawingOptions& settings)
+      : session_(given, facts_of(scene), settings), maker_(start(std::move(scene))) {}
 
   /// Draws a frame of the window.
   ///
   /// shortcuts  Window::begin_frame
   void draw(const std::string& shortcuts);
+  /// Reads a scene and shows it in the place of the one shown.
+  ///
+  /// is_again  whether it is that one, whose file has changed
+  void open(const drawing::SceneOptions& given, bool is_again = false);
   /// How long the window may wait for an event, seconds.
   double rest() const;
 
  private:
+  struct Reading {
+    drawing::SceneOptions given;
+    bool is_again;
+    std::future<scene::Scene> scene;
+  };
+
+  std::unique_ptr<PictureMaker> start(scene::Scene scene);
+  void take_scene();
+  void look_at_files();
   void take_delivery();
+  void show_pictures();
   void order_pictures();
   void keep(const Wishes& wishes);
   void save_picture();
   void save_scene();
   void copy_command();
   void draw_status() const;
+  void draw_key_sheet();
+  std::string pixel_in_words(const DrawnPicture& drawn) const;
   /// Shows words for a while.
   void say(const std::string& words);
   /// Says what has been done, on standard output, too.
@@ -98,20 +142,70 @@ class App {
   }
 
   Session session_;
-  PictureMaker& maker_;
+  std::vector<std::filesystem::file_time_type> file_times_;  // of the scene's files
+  std::unique_ptr<PictureMaker> maker_;
+  std::optional<Reading> reading_;
   PicturePanel picture_;
   DrawingPace pace_;
   std::optional<Delivery> delivery_;
   std::optional<PictureOrder> ordered_;
   std::optional<std::size_t> hovered_;  // index in the list of lamps
+  double looked_at_ = 0;                // milliseconds
   double changed_at_ = 0;               // milliseconds
   bool wants_picture_ = false;          // to be saved when it is finished
-  std::string words_;                   // what has last been done, or could not be
-  double said_at_ = -kWordsStay;        // milliseconds
+  bool shows_keys_ = false;
+  bool was_false_colored_ = false;
+  std::array<float, 64> histogram_{};  // of the edited settings' picture
+  std::string words_;                  // what has last been done, or could not be
+  double said_at_ = -kWordsStay;       // milliseconds
 };
 
+std::unique_ptr<PictureMaker> App::start(scene::Scene scene) {
+  file_times_ = times_of(scene.files);
+  if (std::filesystem::path(scene.files.front()) != scene::bundled_scene_path(scene.name)) {
+    remember_file(scene.files.front());
+  }
+  return std::make_unique<PictureMaker>(std::move(scene), &Window::wake);
+}
+
+void App::open(const drawing::SceneOptions& given, bool is_again) {
+  say("reading " + given.scene);
+  reading_ = {given, is_again, std::async(std::launch::async, [given] { return drawing::read_scene(given); })};
+}
+
+void App::take_scene() {
+  if (!reading_ || reading_->scene.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  Reading reading = std::move(*reading_);
+  reading_.reset();
+  try {
+    scene::Scene scene = reading.scene.get();
+    drawing::DrawingOptions settings = session_.settings[0];
+    settings.visibility.reset();  // another scene suggests its own
+    Session next(reading.given, facts_of(scene), settings);
+    if (reading.is_again) next.look_as(session_);
+    session_ = std::move(next);
+    delivery_.reset();
+    ordered_.reset();
+    hovered_.reset();
+    maker_.reset();  // before another takes as much memory
+    maker_ = start(std::move(scene));
+    say(reading.given.scene + (reading.is_again ? " has changed and was read again" : ""));
+  } catch (const InputError& error) {
+    say(error.what());
+  } catch (const CLI::Error& error) {
+    say(error.what());
+  }
+}
+
+void App::look_at_files() {
+  auto times = times_of(session_.scene().files);
+  if (reading_ || times == file_times_) return;
+  file_times_ = std::move(times);
+  open(session_.given_now(), true);
+}
+
 void App::take_delivery() {
-  auto delivery = maker_.take();
+  auto delivery = maker_->take();
   if (!delivery) return;
   if (!delivery->error.empty()) {
     say(delivery->error);
@@ -120,8 +214,15 @@ void App::take_delivery() {
   }
   const int divisor = std::max(picture_.width() / std::max(delivery->order.width, 1), 1);
   pace_.learn(divisor, delivery->milliseconds);
-  picture_.show(*delivery);
   delivery_ = std::move(delivery);
+  show_pictures();
+}
+
+void App::show_pictures() {
+  was_false_colored_ = session_.is_false_colored;
+  picture_.show(*delivery_, was_false_colored_);
+  const DrawnPicture& drawn = delivery_->pictures[std::min(session_.edited, delivery_->pictures.size() - 1)];
+  histogram_ = light_histogram(drawn.light, drawn.display.exposure.ev);
 }
 
 void App::order_pictures() {
@@ -137,20 +238,23 @@ void App::order_pictures() {
   if (as_whole != whole) {
     changed_at_ = now;
     ordered_ = divisor > 1 ? sketch : whole;
-    maker_.order(*ordered_);
-  } else if (*ordered_ != whole && now - changed_at_ > DrawingPace::kStillAfter && !maker_.is_busy()) {
+    maker_->order(*ordered_);
+  } else if (*ordered_ != whole && now - changed_at_ > DrawingPace::kStillAfter && !maker_->is_busy()) {
     ordered_ = whole;
-    maker_.order(whole);
+    maker_->order(whole);
   }
 }
 
 void App::draw(const std::string& shortcuts) {
+  if (now_in_milliseconds() - looked_at_ > 1000 * kRestSeconds) {
+    looked_at_ = now_in_milliseconds();
+    look_at_files();
+  }
+  take_scene();
   take_delivery();
   if (session_.runs) session_.set_time(session_.time() + std::min(double(ImGui::GetIO().DeltaTime), 0.1));
   const ImVec2 size = ImGui::GetIO().DisplaySize;
   const float font = ImGui::GetFontSize();
-  const float side = std::min(font * 23, size.x / 2);
-  const float bottom = std::min(font * 17, size.y / 2);
   const float status = ImGui::GetFrameHeight() + 4;
   constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove |
                                       ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoBringToFrontOnFocus;
@@ -159,15 +263,25 @@ void App::draw(const std::string& shortcuts) {
     ImGui::SetNextWindowSize({std::max(std::floor(extent.x), 1.0f), std::max(std::floor(extent.y), 1.0f)});
   };
 
-  place({0, 0}, {side, size.y});
-  ImGui::Begin("settings", nullptr, kFixed & ~ImGuiWindowFlags_NoScrollbar);
-  Wishes wishes = draw_settings(session_, shown_exposure());
+  // Two panels are resized by their edges, which ImGui keeps between runs.
+  constexpr ImGuiWindowFlags kResized = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoCollapse |
+                                        ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus;
+  ImGui::SetNextWindowPos({0, 0});
+  ImGui::SetNextWindowSize({font * 23, size.y}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSizeConstraints({std::min(font * 12, size.x / 2), size.y}, {size.x / 2, size.y});
+  ImGui::Begin("settings", nullptr, kResized);
+  const float side = ImGui::GetWindowWidth();
+  Wishes wishes = draw_settings(session_, shown_exposure(), histogram_);
   if (!wishes.complaint.empty()) say(wishes.complaint);
+  if (!wishes.opened.empty()) open({.scene = wishes.opened});
   ImGui::End();
 
-  place({side, size.y - bottom}, {size.x - side, bottom});
+  ImGui::SetNextWindowPos({side, size.y}, ImGuiCond_Always, {0, 1});
+  ImGui::SetNextWindowSize({size.x - side, font * 17}, ImGuiCond_FirstUseEver);
+  ImGui::SetNextWindowSizeConstraints({size.x - side, std::min(font * 8, size.y / 2)}, {size.x - side, size.y / 2});
   hovered_.reset();
-  ImGui::Begin("lamps", nullptr, kFixed);
+  ImGui::Begin("lamps", nullptr, kResized | ImGuiWindowFlags_NoScrollbar);
+  const float bottom = ImGui::GetWindowHeight();
   draw_lamps(session_, hovered_);
   ImGui::End();
 
@@ -182,19 +296,24 @@ void App::draw(const std::string& shortcuts) {
   place({side, 0}, {size.x - side, size.y - bottom - status});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});
   ImGui::Begin("picture", nullptr, kFixed);
-  picture_.draw(session_, maker_.surfaces(), hovered_);
+  picture_.draw(session_, maker_->surfaces(), hovered_);
   ImGui::End();
   ImGui::PopStyleVar(2);
 
+  if (delivery_ && was_false_colored_ != session_.is_false_colored) show_pictures();
+  if (shows_keys_) draw_key_sheet();
   if (!ImGui::IsAnyItemActive()) session_.end_step();
-  if (!ImGui::GetIO().WantTextInput) {  // letters that do not fly
-    for (const char letter : shortcuts) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const std::string typed(std::size_t(std::ranges::count(io.InputQueueCharacters, ImWchar('?'))), Window::kHelp);
+  if (!io.WantTextInput) {  // keys that do not fly
+    for (const char letter : shortcuts + typed) {
+      if (letter == 'f') session_.is_false_colored = !session_.is_false_colored;
+      if (letter == Window::kHelp) shows_keys_ = !shows_keys_;
+      if (letter == Window::kDelete && session_.picked && session_.is_removable(*session_.picked)) {
+        session_.remove(*session_.picked);
+      }
       if (letter == 'Z') session_.undo();
       if (letter == 'Y') session_.redo();
-    }
-    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Delete)) && session_.picked &&
-        session_.is_removable(*session_.picked)) {
-      session_.remove(*session_.picked);
     }
     wishes.picture = wishes.picture || shortcuts.find('P') != shortcuts.npos;
     wishes.command = wishes.command || shortcuts.find('C') != shortcuts.npos;
@@ -216,10 +335,12 @@ void App::draw_status() const {
   ImGui::Text("%s ms", fmt::format("{:.0f}", drawn.milliseconds).c_str());
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("A frame of %d x %d pixels on\n%s", delivery_->order.width, delivery_->order.height,
-                      maker_.gl_renderer().c_str());
+                      maker_->gl_renderer().c_str());
   }
   ImGui::SameLine();
-  ImGui::TextDisabled("%s", has_words ? words_.c_str() : counts_in_words(drawn.counts).c_str());
+  ImGui::TextDisabled("%s", has_words          ? words_.c_str()
+                            : picture_.mouse() ? pixel_in_words(drawn).c_str()
+                                               : counts_in_words(drawn.counts).c_str());
   const std::string sharpness = is_finished() ? ""
                                 : is_whole    ? "drawing"
                                               : fmt::format("1/{} size", picture_.width() / delivery_->order.width);
@@ -227,8 +348,39 @@ void App::draw_status() const {
   ImGui::TextUnformatted(sharpness.c_str());
 }
 
+std::string App::pixel_in_words(const DrawnPicture& drawn) const {
+  const render::Picture& light = drawn.light;
+  const glm::dvec2 at = *picture_.mouse();
+  const int x = std::clamp(int(at.x * light.width), 0, light.width - 1);
+  const int y = std::clamp(int(at.y * light.height), 0, light.height - 1);
+  const std::size_t i = 3 * (std::size_t(y) * std::size_t(light.width) + std::size_t(x));
+  const float* const rgb = &light.rgb[i];
+  const std::uint8_t* const shown = &drawn.pixels[i];
+  const double range = session_.ray.length;
+  return fmt::format("{}, {}: light {:.4g} {:.4g} {:.4g}, {:+.1f} EV of white  |  shown {} {} {}  |  {}", x, y, rgb[0],
+                     rgb[1], rgb[2], light_level(rgb, drawn.display.exposure.ev), shown[0], shown[1], shown[2],
+                     std::isfinite(range) ? shown_rounded(range, 4) + " m" : "sky");
+}
+
+void App::draw_key_sheet() {
+  ImGui::SetNextWindowPos({ImGui::GetIO().DisplaySize.x / 2, 2 * ImGui::GetFontSize()}, ImGuiCond_Always, {0.5f, 0});
+  if (ImGui::Begin(
+          "Mouse and keys", &shows_keys_,
+          ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoCollapse)) {
+    ImGui::BeginTable("keys", 2);
+    for (const KeyMeaning& key : kKeyMeanings) {
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(key.keys);
+      ImGui::TableNextColumn();
+      ImGui::TextDisabled("%s", key.meaning);
+    }
+    ImGui::EndTable();
+  }
+  ImGui::End();
+}
+
 double App::rest() const {
-  if (picture_.is_moving() || session_.runs) return kFrameSeconds;
+  if (picture_.is_moving() || session_.runs || reading_) return kFrameSeconds;
   const double still_in = changed_at_ + DrawingPace::kStillAfter - now_in_milliseconds();
   return still_in > 0 ? still_in / 1000 + 0.005 : kRestSeconds;
 }
@@ -301,15 +453,11 @@ ExitStatus show(const CLI::App& app, Options& options) {
   check_options(app, drawing::drawing_rules(options.drawing));
   scene::Scene scene = drawing::read_scene(options.scene);
   drawing::check_scene_options(app, scene);
-  scene::Scene facts = scene;
-  facts.models.clear();
-  facts.instances.clear();
-  facts.materials.clear();
-  Window window("litfog: " + scene.name, options.drawing.width, options.drawing.height);
-  PictureMaker maker(std::move(scene), &Window::wake);
-  App shown(Session(options.scene, std::move(facts), options.drawing), maker);
+  Window window("litfog", options.drawing.width, options.drawing.height);
+  App shown(options.scene, std::move(scene), options.drawing);
   while (!window.is_closed()) {
     window.wait(shown.rest());
+    for (const std::string& file : window.take_dropped()) shown.open({.scene = file});
     shown.draw(window.begin_frame());
     window.end_frame();
   }
@@ -322,7 +470,7 @@ int main(int argc, char** argv) {
   expect_uncaught();
   CLI::App app{kDescription, "litfog-window"};
   Options options;
-  app.footer(kFooter);
+  app.footer(keys_in_words() + kFooter);
   drawing::add_picture_options(app, options.scene, options.drawing);
   return run_command(app, argc, argv, [&] {
     try {

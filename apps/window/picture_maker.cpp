@@ -56,9 +56,9 @@ class KeptRenderer {
     drawn.counts = renderer_->draw();
     drawn.milliseconds = timer.milliseconds();
     renderer_->interrupt_when({});  // which would leave it drawing in floats
-    render::Picture light = renderer_->read();
-    if (!is_sketch) light = drawing::whole_light(*renderer_, std::move(light));
-    drawn.shown = drawing::displayed(light, camera_, drawn.display);
+    drawn.light = renderer_->read();
+    if (!is_sketch) drawn.light = drawing::whole_light(*renderer_, std::move(drawn.light));
+    drawn.shown = drawing::displayed(drawn.light, camera_, drawn.display);
     drawn.pixels = drawing::shown_pixels(drawn.shown);
     return drawn;
   }

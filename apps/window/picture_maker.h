@@ -37,6 +37,7 @@ struct PictureOrder {
 
 /// A picture as litfog-demo draws it.
 struct DrawnPicture {
+  render::Picture light;             ///< the scene's, before glare and exposure
   render::Picture shown;             ///< what a display shows, for drawing::write_picture
   std::vector<std::uint8_t> pixels;  ///< drawing::shown_pixels of `shown`
   drawing::Display display;          ///< an automatic exposure chosen

@@ -10,9 +10,11 @@
 #include <cstdint>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "text/shown_number.h"
 #include "window/camera_motion.h"
+#include "window/light_levels.h"
 #include "window/light_pick.h"
 
 namespace litfog::window {
@@ -31,11 +33,10 @@ void* texture_id(const gl::TextureName& texture) {
   return reinterpret_cast<void*>(std::uintptr_t{texture.id()});  // NOLINT: how ImGui takes OpenGL's names
 }
 
-void upload(const gl::TextureName& texture, const DrawnPicture& picture) {
+void upload(const gl::TextureName& texture, const render::Picture& picture, const std::vector<std::uint8_t>& pixels) {
   glBindTexture(GL_TEXTURE_2D, texture.id());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, picture.shown.width, picture.shown.height, 0, GL_RGB, GL_UNSIGNED_BYTE,
-               picture.pixels.data());
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, picture.width, picture.height, 0, GL_RGB, GL_UNSIGNED_BYTE, pixels.data());
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
@@ -173,6 +174,23 @@ void draw_reach(ImDrawList& draw, const Area& area, double aspect, const scene::
   }
 }
 
+/// What false colours mean, in the picture's lower left corner.
+void draw_scale(ImDrawList& draw, const Area& area) {
+  constexpr int kLevels = int(kMostLevel - kLeastLevel);
+  const float font = ImGui::GetFontSize();
+  const float step = 2 * font;
+  const ImVec2 corner{area.corner.x + 12, area.end().y - 3 * font};
+  draw_words(draw, {corner.x, corner.y - 1.4f * font}, "EV above white");
+  for (int i = 0; i <= kLevels; ++i) {
+    const float level = float(kLeastLevel) + float(i);
+    const float luminance = std::exp2(level);
+    const auto color = false_colors({.width = 1, .height = 1, .rgb = {luminance, luminance, luminance}}, 0);
+    const ImVec2 at{corner.x + float(i) * step, corner.y};
+    draw.AddRectFilled(at, {at.x + step, at.y + font}, IM_COL32(color[0], color[1], color[2], 255));
+    if (i % 2 == 0) draw_words(draw, {at.x, at.y + font}, fmt::format("{:+}", level));
+  }
+}
+
 /// Where the ray of the curve is.
 void draw_cross(ImDrawList& draw, ImVec2 at) {
   const ImU32 color = IM_COL32(255, 255, 255, 160);
@@ -214,9 +232,13 @@ void draw_wipe(ImDrawList& draw, const Area& area, const Session& session) {
 
 }  // namespace
 
-void PicturePanel::show(const Delivery& delivery) {
+void PicturePanel::show(const Delivery& delivery, bool is_false_colored) {
   shown_ = delivery.pictures.size();
-  for (std::size_t i = 0; i < shown_; ++i) upload(textures_[i], delivery.pictures[i]);
+  for (std::size_t i = 0; i < shown_; ++i) {
+    const DrawnPicture& drawn = delivery.pictures[i];
+    upload(textures_[i], drawn.light,
+           is_false_colored ? false_colors(drawn.light, drawn.display.exposure.ev) : drawn.pixels);
+  }
 }
 
 void PicturePanel::draw(Session& session, const measure::TriangleTree& surfaces, std::optional<std::size_t> hovered) {
@@ -240,7 +262,8 @@ void PicturePanel::draw(Session& session, const measure::TriangleTree& surfaces,
   const bool is_over = ImGui::IsItemHovered();
   const scene::Camera before = session.camera;
   const glm::dvec2 mouse = area.fraction_of(io.MousePos);
-  if (is_over) pointed_ = mouse;
+  mouse_.reset();
+  if (is_over) pointed_ = *(mouse_ = mouse);
   session.ray = ray_through(session.camera, aspect, pointed_);
   if (const auto hit = surfaces.nearest(session.ray.origin, session.ray.direction, 0, kFarthestSurface)) {
     session.ray.length = hit->distance;
@@ -271,6 +294,7 @@ void PicturePanel::draw(Session& session, const measure::TriangleTree& surfaces,
   if (session.picked) draw_reach(draw, area, aspect, session.camera, session.light_now(*session.picked));
   if (session.picked && !is_over) draw_cross(draw, area.at(pointed_));
   if (is_split) draw_wipe(draw, area, session);
+  if (session.is_false_colored) draw_scale(draw, area);
   draw.PopClipRect();
 }
 

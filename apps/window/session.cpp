@@ -52,6 +52,25 @@ PlacedLight Session::light_now(std::size_t light) const {
   return alone.lights[0];
 }
 
+void Session::look_as(const Session& other) {
+  settings = other.settings;
+  is_split = other.is_split;
+  was_split_ = other.was_split_;
+  edited = other.edited;
+  wipe = other.wipe;
+  runs = other.runs;
+  is_false_colored = other.is_false_colored;
+  motion = other.motion;
+  if (other.is_camera_moved()) camera = other.camera;
+}
+
+drawing::SceneOptions Session::given_now() const {
+  drawing::SceneOptions now = given_;
+  now.changes = changes();
+  now.city_lights = 0;  // it is among them
+  return now;
+}
+
 std::size_t Session::copies(std::size_t light) const {
   return std::size_t(std::ranges::count(lamps_->entries, lamps_->entries[light]));
 }

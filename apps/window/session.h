@@ -35,6 +35,7 @@ class Session {
   double wipe = 0.5;       ///< where A ends and B begins, a fraction of the width
 
   scene::Camera camera;
+  bool is_false_colored = false;  ///< whether levels of light are shown by colours of their own
   CameraMotion motion = CameraMotion::orbit;
   std::optional<std::size_t> picked;  ///< index of a light
   EyeRay ray;                         ///< that of the picture at which the mouse was last, with its end
@@ -45,6 +46,10 @@ class Session {
   double time() const { return settings[0].seconds; }
   void set_time(double seconds);  ///< of both settings
   void split(bool on);
+  /// Takes the settings of another session with the same scene, and its camera if that has been moved.
+  void look_as(const Session& other);
+  /// Where the scene is from, with all changes.
+  drawing::SceneOptions given_now() const;
 
   const scene::Scene& scene() const { return scene_; }  ///< as it was given
   /// The scene's, of which removed ones are black, and those that have been added.

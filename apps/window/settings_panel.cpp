@@ -13,6 +13,8 @@
 #include "render/plan/lighting_path.h"
 #include "text/shown_number.h"
 #include "window/controls.h"
+#include "window/light_levels.h"
+#include "window/own_files.h"
 #include "window/visibility_preset.h"
 
 namespace litfog::window {
@@ -223,10 +225,34 @@ void draw_camera(Session& session) {
   ImGui::EndDisabled();
 }
 
+/// Returns a scene that is to be opened.
+std::string pick_scene(const scene::Scene& scene) {
+  std::string picked;
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  if (!ImGui::BeginCombo("##scene", scene.name.c_str(), ImGuiComboFlags_HeightLarge)) return "";
+  static std::string path;
+  ImGui::SetNextItemWidth(-FLT_MIN);
+  if (ImGui::InputTextWithHint("##path", "a scene or glTF file", &path, ImGuiInputTextFlags_EnterReturnsTrue)) {
+    picked = path;
+    ImGui::CloseCurrentPopup();
+  }
+  explain("Or drop a file on the window");
+  const auto list = [&picked](const char* title, const std::vector<std::string>& scenes) {
+    ImGui::TextDisabled("%s", title);
+    for (const std::string& each : scenes) {
+      if (ImGui::Selectable(each.c_str())) picked = each;
+    }
+  };
+  list("Recent files", recent_files());
+  list("Scenes of litfog", scene::bundled_scenes());
+  ImGui::EndCombo();
+  return picked;
+}
+
 }  // namespace
 
-Wishes draw_settings(Session& session, const render::Exposure& shown_exposure) {
-  ImGui::TextUnformatted(session.scene().name.c_str());
+Wishes draw_settings(Session& session, const render::Exposure& shown_exposure, std::span<const float> histogram) {
+  Wishes wishes{.opened = pick_scene(session.scene())};
   if (!session.scene().description.empty()) {
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextWrapped("%s", session.scene().description.c_str());
@@ -241,10 +267,15 @@ Wishes draw_settings(Session& session, const render::Exposure& shown_exposure) {
       if (ImGui::RadioButton(which == 0 ? "A, left" : "B, right", session.edited == which)) session.edited = which;
     }
   }
-  Wishes wishes{.complaint = draw_fog(session)};
+  wishes.complaint = draw_fog(session);
   draw_lighting(session.edited_settings());
   if (drawing::changes_with_time(session.scene())) draw_time(session);
   draw_display(session.edited_settings(), session.scene(), shown_exposure);
+  ImGui::Checkbox("False colours", &session.is_false_colored);
+  explain("Levels of light, in EV above white (F)");
+  ImGui::PlotHistogram("##levels", histogram.data(), int(histogram.size()), 0, nullptr, 0, FLT_MAX,
+                       {ImGui::GetContentRegionAvail().x, 3 * ImGui::GetFontSize()});
+  explain(fmt::format("Pixels by their light: {:+} to {:+} EV above white", kLeastLevel, kMostLevel).c_str());
   draw_camera(session);
   heading("KEEP");
   const float half = (ImGui::GetContentRegionAvail().x - ImGui::GetStyle().ItemSpacing.x) / 2;

@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "command/exit_status.h"
+#include "window/own_files.h"
 
 namespace litfog::window {
 namespace {
@@ -52,6 +53,10 @@ void set_style(float scale) {
   style.Colors[ImGuiCol_Header] = faded(0.3f);
   style.Colors[ImGuiCol_HeaderHovered] = faded(0.4f);
   style.Colors[ImGuiCol_HeaderActive] = faded(0.5f);
+  style.Colors[ImGuiCol_TitleBgActive] = style.Colors[ImGuiCol_Button];
+  style.Colors[ImGuiCol_ResizeGrip] = {};
+  style.Colors[ImGuiCol_ResizeGripHovered] = faded(0.45f);
+  style.Colors[ImGuiCol_ResizeGripActive] = faded(0.7f);
   style.Colors[ImGuiCol_Separator] = {0.22f, 0.23f, 0.26f, 1};
   style.Colors[ImGuiCol_TextDisabled] = {0.58f, 0.6f, 0.63f, 1};
   style.ScaleAllSizes(scale);
@@ -81,16 +86,25 @@ Window::Window(const std::string& title, int width, int height) {
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGuiIO& io = ImGui::GetIO();
-  io.IniFilename = nullptr;  // nothing is left behind in the working directory
+  layout_file_ = own_file("window.ini").string();
+  io.IniFilename = layout_file_.empty() ? nullptr : layout_file_.c_str();
   float scale = 1;
   glfwGetWindowContentScale(window_, &scale, nullptr);
   set_style(scale);
   if (std::filesystem::exists(kFont)) io.Fonts->AddFontFromFileTTF(kFont, kFontSize * scale);
   glfwSetWindowUserPointer(window_, this);
+  glfwSetDropCallback(window_, [](GLFWwindow* window, int count, const char** paths) {
+    std::vector<std::string>& dropped = static_cast<Window*>(glfwGetWindowUserPointer(window))->dropped_;
+    dropped.insert(dropped.end(), paths, paths + count);
+  });
   glfwSetKeyCallback(window_, [](GLFWwindow* window, int key, int, int action, int modifiers) {
     const bool is_letter = key >= GLFW_KEY_A && key <= GLFW_KEY_Z;
-    if (!is_letter || action != GLFW_PRESS || modifiers != GLFW_MOD_CONTROL) return;
-    static_cast<Window*>(glfwGetWindowUserPointer(window))->shortcuts_ += char(key);
+    std::string& shortcuts = static_cast<Window*>(glfwGetWindowUserPointer(window))->shortcuts_;
+    if (action != GLFW_PRESS) return;
+    if (is_letter && modifiers == GLFW_MOD_CONTROL) shortcuts += char(key);  // GLFW's letters are ASCII's
+    if (is_letter && modifiers == 0) shortcuts += char(key - 'A' + 'a');
+    if (key == GLFW_KEY_F1) shortcuts += kHelp;
+    if (key == GLFW_KEY_DELETE) shortcuts += kDelete;
   });
   ImGui_ImplGlfw_InitForOpenGL(window_, true);  // which calls that, too
   ImGui_ImplOpenGL3_Init("#version 330");

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <utility>
+#include <vector>
 
 struct GLFWwindow;
 
@@ -18,6 +20,9 @@ class Window {
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;
 
+  static constexpr char kHelp = '?';  ///< F1
+  static constexpr char kDelete = 127;
+
   bool is_closed() const;
   /// Waits for an event or wake(), at most for a time in seconds. Not at all where something has just happened, because
   /// controls take a few frames to settle.
@@ -25,9 +30,13 @@ class Window {
   /// Ends wait(); from any thread.
   static void wake();
 
+  /// The files that have been dropped on the window since the last call.
+  std::vector<std::string> take_dropped() { return std::exchange(dropped_, {}); }
+
   /// Between them controls are drawn.
   ///
-  /// returns  the letters that have been pressed with Ctrl since the last frame, however shortly
+  /// returns  the keys that have been pressed since the last frame, however shortly: letters with Ctrl, small ones
+  ///          without, kHelp and kDelete
   std::string begin_frame();
   void end_frame();
 
@@ -35,6 +44,8 @@ class Window {
   GLFWwindow* window_;
   int frames_to_settle_ = 0;
   std::string shortcuts_;
+  std::vector<std::string> dropped_;
+  std::string layout_file_;  // of which ImGui keeps a pointer
 };
 
 }  // namespace litfog::window

@@ -65,7 +65,7 @@ class WindowCommand : public CommandTest {
     server_ = start(fmt::format("{} -displayfd 3 3>display -screen 0 {}x{}x24 -fbdir . -nolisten tcp >xvfb 2>&1",
                                 LITFOG_XVFB, kWidth, kHeight));
     ASSERT_TRUE(wait_for([this] { return read("display").ends_with('\n'); })) << read("xvfb");
-    window_ = start(fmt::format("DISPLAY=:{} {} window {} >said 2>window-errors",
+    window_ = start(fmt::format("XDG_CONFIG_HOME=$(pwd) DISPLAY=:{} {} window {} >said 2>window-errors",
                                 read("display").substr(0, read("display").size() - 1), LITFOG_DEMO_PATH, arguments));
     steer("search --sync --onlyvisible --name litfog");
   }
@@ -209,6 +209,39 @@ TEST_F(WindowCommand, LampsAreAddedMovedRemovedAndAllOfItIsUndone) {
   EXPECT_NE(command.find(" --set 'lights[0]=null'"), command.npos) << command;
   steer("key ctrl+z sleep 0.2 key ctrl+z sleep 0.2 key ctrl+z sleep 0.2 key ctrl+c");
   EXPECT_EQ(next_line().find("--set"), std::string::npos);
+}
+
+TEST_F(WindowCommand, ScenesAreOpenedAndReadAgainAndPanelsKeepTheirSizes) {
+  if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
+  const auto scene = [](const std::string& name, const std::string& color) {
+    std::string text = kScene;
+    text.replace(text.find("yard"), 4, name);
+    return text.replace(text.find("[3, 1.5, 0.5]"), 13, color);
+  };
+  write("yard.json", kScene);
+  write("other.json", scene("other", "[0.5, 1.5, 3]"));
+  start_window(fmt::format("yard.json --size {}x{}", kWidth, kHeight));
+  click(100, 20);  // the list of scenes
+  click(100, 48);  // the field in it for a path
+  steer("type other.json");
+  steer("key Return");
+  EXPECT_TRUE(wait_for([this] {
+    steer("key ctrl+c");
+    return next_line().starts_with("litfog-demo other.json");
+  }));
+  EXPECT_TRUE(read("litfog/recent").ends_with("/yard.json\n")) << read("litfog/recent");
+  EXPECT_NE(read("litfog/recent").find("/other.json\n"), std::string::npos);
+
+  write("other.json", scene("other", "[3, 0.5, 0.5]"));
+  std::this_thread::sleep_for(std::chrono::seconds(3));  // it looks twice a second
+  steer("mousemove 20 470");
+  expect_picture_of_command("other-1.png");
+
+  steer(
+      "mousemove 321 200 sleep 0.2 mousedown 1 sleep 0.2 mousemove 350 200 sleep 0.2 mousemove 371 200 sleep 0.2 "
+      "mouseup 1");
+  EXPECT_TRUE(wait_for([this] { return read("litfog/window.ini").find("Size=37") != std::string::npos; }))
+      << read("litfog/window.ini");
 }
 
 TEST_F(WindowCommand, WindowWithoutADisplayIsAMissingCapability) {
