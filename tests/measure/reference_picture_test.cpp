@@ -438,8 +438,6 @@ TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) 
   constexpr double kClear = std::numeric_limits<double>::infinity();
   Renderer renderer(scene, height * 16 / 9, height, by_airlight());
   for (const double visibility : {kClear, 20'000.0, suggested_visibility(scene), 1.0}) {
-    // Where the air beside the layers of breakout is clear, its far lamps are summed too coarsely: up to 12 steps.
-    if (name == "breakout" && visibility == kClear) continue;
     for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
       if (mode == FogMode::exp2 && has_layers) continue;
       // Droplets in exp2 fog, drawn where they are asked for alone, are up to a white off beside the approach's lamps.
@@ -455,8 +453,9 @@ TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) 
       // A cookie has detail between nodes: within a metre of a beam in candela they leave one pixel of `road` 4 steps
       // off, and near the projectors of `cookies` one pixel 1.15 steps.
       const bool is_dense_cookie = name == "road" && visibility == 1;
-      // Lamps beyond layers are summed in slabs longer than the layers: a few pixels of village err by 3.1 steps.
-      const double bound = is_dense_cookie ? 4.3 : has_layers ? 3.2 : name == "cookies" ? 1.2 : kAirlightBound;
+      // Where no fog but the layers bounds what is seen, lamps are summed in slabs longer than the layers.
+      const bool has_long_slabs = has_layers && visibility == kClear;
+      const double bound = is_dense_cookie ? 4.3 : has_long_slabs ? 3.5 : name == "cookies" ? 1.2 : kAirlightBound;
       EXPECT_LE(error.largest, bound) << measured;
       EXPECT_LE(error.excluded, std::size_t(height * height / 50)) << measured;
     }
@@ -498,9 +497,8 @@ TEST_F(ReferencePictureTest, AllOrdersOfScatteringAreThoseOfTheReference) {
           fmt::format("{} at {} m, {}: largest {:6.3f}, mean {:6.3f}, {} excluded", name, visibility,
                       is_isotropic(phase) ? "isotropic" : "droplets", error.largest, error.mean, error.excluded);
       fmt::print("{}\n", measured);
-      // Beside a lamp in the eye's own vehicle a cone's share changes within a piece of a slab, and what fog scatters
-      // on surfaces within a texel of its grid.
-      EXPECT_LE(error.largest, 4) << measured;
+      // What fog scatters on a lamp's own housing changes within a texel of the grid of that light.
+      EXPECT_LE(error.largest, is_isotropic(phase) ? 20 : 5) << measured;
       EXPECT_LE(error.mean, 0.2) << measured;
       EXPECT_LE(error.excluded, 54u) << measured;
     }
