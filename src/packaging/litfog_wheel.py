@@ -17,7 +17,7 @@ def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
     """Called by pip in the sources' folder. A build folder that is there keeps its options."""
     options = ["-DLITFOG_BUILD_PYTHON=ON", f"-DPython3_EXECUTABLE={os.path.realpath(sys.executable)}"]
     if not os.path.exists("build/CMakeCache.txt"):
-        options += ["-GNinja", "-DCMAKE_BUILD_TYPE=Release", "-DLITFOG_BUILD_TESTS=OFF", "-DCMAKE_UNITY_BUILD=ON"]
+        options += ["--preset=release", "-DLITFOG_BUILD_TESTS=OFF"]
     run_cmake("-S.", "-Bbuild", *options)
     run_cmake("--build", "build", "--target", "litfog_python_package")
     with tempfile.TemporaryDirectory() as prefix:
