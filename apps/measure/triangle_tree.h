@@ -14,7 +14,7 @@ namespace litfog::measure {
 
 /// The triangles of a scene in a tree of boxes, all in double, for rays that ask what they meet. Both sides of a
 /// triangle count, and where its material has a mask, only what that keeps: by the base texture itself, without
-/// mipmaps.
+/// mipmaps. Of the trees that Debian has, Embree's is in float, and CGAL's is under the GPL.
 class TriangleTree {
  public:
   /// scene   whose materials have to outlive this

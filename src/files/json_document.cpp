@@ -127,7 +127,8 @@ struct ThrowingAllocator : rapidjson::CrtAllocator {
   }
 };
 
-/// Builds the tree from RapidJSON's events.
+/// Builds the tree from RapidJSON's events. nlohmann's, whose library writes JSON here, tell neither where a value begins
+/// nor how a number was written, both of which errors state.
 class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeBuilder> {
  public:
   explicit TreeBuilder(JsonDocument& document)
