@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <regex>
 #include <stdexcept>
 #include <system_error>
 
@@ -69,7 +70,7 @@ ExitStatus parse_and_run(CLI::App& app, int argc, char** argv, const std::functi
   try {
     app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
-    write_standard_output(app.help());
+    write_standard_output(std::regex_replace(app.help(), std::regex("\n{3}"), "\n\n"));  // one between groups, too
     return kDone;
   } catch (const CLI::CallForVersion&) {
     write_standard_output(app.get_name() + " " LITFOG_VERSION "\n");
@@ -160,6 +161,7 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
   setenv("EGL_LOG_LEVEL", "fatal", 0);  // else Mesa's lines on standard error come before our one sentence
+  app.option_defaults()->group("Options");
   app.set_version_flag("--version", "");
 
   const auto end = [&app](const std::string& message, ExitStatus status) {

@@ -71,13 +71,10 @@ struct Row {
 
 /// A row a scene, and the first one's by the peak where airlight is the default.
 std::vector<Row> make_rows(const std::vector<scene::Scene>& scenes, const drawing::DrawingOptions& options) {
-  const bool is_default_path = options.render.path == &render::lighting_paths().front();
+  const render::RenderSettings settings = options.settings();
   std::vector<Row> rows;
   for (const scene::Scene& scene : scenes) {
-    const bool is_at_vertices = scene.is_lit_at_vertices && is_default_path;
-    const render::RenderSettings settings =
-        options.settings_of(is_at_vertices ? *render::find_lighting_path("vertex") : *options.render.path);
-    rows.push_back({&scene, settings, scene.name + (is_at_vertices ? " by --path vertex" : ""), scene.name});
+    rows.push_back({&scene, settings, scene.name, scene.name});
     const bool compares_peak = !options.fog_light && settings.fog_lighting == render::FogLighting::airlight;
     if (!compares_peak || rows.size() > 1) continue;
     rows.push_back({&scene, settings, scene.name + " by --fog-light peak", scene.name + "-peak"});
@@ -108,10 +105,10 @@ drawing::PictureFolder make_folder(const std::string& path, const std::vector<Ro
 /// What rows that are drawn at once share.
 struct Output {
   drawing::PictureFolder pictures;
+  command::Progress& progress;
   std::size_t count;      ///< of pictures
   std::size_t drawn = 0;  ///< of these
   std::mutex mutex = {};  ///< held while a picture is given to the folder and reported
-  command::Progress progress = {};
 
   void show() { progress.show(fmt::format("{} of {} pictures drawn", drawn, count)); }
 };
@@ -175,14 +172,18 @@ std::vector<std::vector<drawing::SheetEntry>> draw_rows(const std::vector<Row>& 
 
 }  // namespace
 
-void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder,
+void draw_gallery(const std::vector<std::string>& scenes, bool are_all, const std::string& folder,
                   const drawing::DrawingOptions& options) {
   const command::WallTimer timer;
+  command::Progress progress;
+  progress.show("loading scenes");
   std::vector<scene::Scene> read = scene::read_scenes(scenes);
+  if (are_all) std::erase_if(read, [](const scene::Scene& scene) { return scene.is_lit_at_vertices; });
   for (scene::Scene& scene : read) scene::move_to_time(scene, options.seconds);
-  command::report(fmt::format("all loaded in {:.2f} s\n", timer.seconds()));
+  command::report(
+      fmt::format("{} scene{} loaded in {:.2f} s\n", read.size(), read.size() == 1 ? "" : "s", timer.seconds()));
   const std::vector<Row> rows = make_rows(read, options);
-  Output output{.pictures = make_folder(folder, rows), .count = 0};
+  Output output{.pictures = make_folder(folder, rows), .progress = progress, .count = 0};
   for (const Row& row : rows) output.count += shown_visibilities(*row.scene).size();
   output.show();
   command::Table solutions{{"scene", "light", "visibility_m", "extent_m", "peak_range_m", "intensity"}, {}};

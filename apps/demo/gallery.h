@@ -15,8 +15,9 @@ namespace litfog::demo {
 /// drawn (read_scenes).
 ///
 /// scenes   paths of scene files
+/// are_all  whether they are all there are and not chosen: is_lit_at_vertices ones are left out then
 /// options  without a visibility; an automatic exposure is each picture's own
-void draw_gallery(const std::vector<std::string>& scenes, const std::string& folder,
+void draw_gallery(const std::vector<std::string>& scenes, bool are_all, const std::string& folder,
                   const drawing::DrawingOptions& options);
 
 }  // namespace litfog::demo

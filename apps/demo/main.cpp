@@ -181,10 +181,10 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
 
 Job add_picture_job(CLI::App& app) {
   const auto options = std::make_shared<PictureOptions>();
+  app.option_defaults()->group("Output");
   app.add_option("-o,--output", options->output,
                  "Picture to write: .png (what a display shows) or .exr (linear light) (default SCENE.png)")
       ->type_name("FILE");
-  drawing::add_picture_options(app, options->scene, options->drawing);
   add_choice<bool>(app, "--exr", options->in_floats, {{"half", false}, {"float", true}},
                    "Numbers of an .exr picture: 16-bit floats unless its light exceeds them, or 32-bit floats "
                    "(default half)");
@@ -194,9 +194,11 @@ Job add_picture_job(CLI::App& app) {
                "Write the picture that the CPU shades in double by the path's plain formulas");
   app.add_option("--heat-map", options->heat_map, "Write the path's error against that picture as colours, .png")
       ->type_name("FILE");
+  app.add_option("--stats", options->stats, "Write times and counts as JSON")->type_name("FILE");
+  drawing::add_picture_options(app, options->scene, options->drawing);
   app.add_flag("--sort-polygons", options->sorts_polygons,
                "By peak: draw the triangles that no lamp reaches by programs without lamps, as Hales advises");
-  app.add_option("--stats", options->stats, "Write times and counts as JSON")->type_name("FILE");
+  app.option_defaults()->group("Options");
   return [&app, options] {
     check_picture_options(app, *options);
     if (drawing::holds_scene_light(options->output)) options->drawing.display.glare = drawing::Glare::none;
@@ -210,6 +212,7 @@ void add_folder(CLI::App& app, std::string& folder, const std::string& files = "
     if (text.empty()) fail_option("--output", text, "must not be empty");
     folder = text;
   };
+  app.option_defaults()->group("Output");
   app.add_option_function<std::string>("-o,--output", take,
                                        fmt::format("Folder to write into{} (default {})", files, folder))
       ->type_name("FOLDER");
@@ -231,24 +234,23 @@ void add_scenes_and_folder(CLI::App& app, ScenesOptions& options) {
 Job add_gallery_job(CLI::App& app) {
   const auto options = std::make_shared<ScenesOptions>(ScenesOptions{.scenes = {}, .folder = "gallery", .drawing = {}});
   app.footer(
-      "Where airlight is the default, the first scene is drawn by peak as well, for comparison. A scene that shows "
-      "what "
-      "tessellation does is drawn by the path vertex, unless another is chosen.\n\n"
+      "Where airlight is the default, the first scene is drawn by peak as well, for comparison. The scene tessellation "
+      "is "
+      "drawn where it is named.\n\n"
       "Example:\n  litfog-demo gallery room headlights --size 640x360 -o out");
   add_scenes_and_folder(app, *options);
   drawing::add_fog(app, options->drawing);
   drawing::add_path(app, options->drawing);
   drawing::add_fog_light(app, options->drawing);
   drawing::add_shadows(app, options->drawing);
-  drawing::add_rendering(app, options->drawing);
   drawing::add_display(app, options->drawing.display);
+  drawing::add_rendering(app, options->drawing);
   return [&app, options] {
     const drawing::DrawingOptions& drawing = options->drawing;
     check_options(app, drawing::drawing_rules(drawing));
-    const std::vector<std::string> scenes = scene_paths(options->scenes);
     const gl::HeadlessContext context;
-    report(fmt::format("drawing {} scene{} on {}\n", scenes.size(), scenes.size() == 1 ? "" : "s", context.renderer()));
-    draw_gallery(scenes, options->folder, drawing);
+    report(fmt::format("drawing on {}\n", context.renderer()));
+    draw_gallery(scene_paths(options->scenes), options->scenes.empty(), options->folder, drawing);
     return kDone;
   };
 }
@@ -285,7 +287,11 @@ ExitStatus compare_by_paths(const CLI::App& app, const ComparisonOptions& option
                        "settings are given by --with"}});
   drawing::expect_pixels(drawing, kMaxComparedPixels, "for a comparison");
   // All scenes are read first, so that an error in one is found before minutes are spent on another.
-  std::vector<scene::Scene> scenes = scene::read_scenes(scene_paths(options.scenes));
+  std::vector<scene::Scene> scenes = [&options] {
+    Progress progress;
+    progress.show("loading scenes");
+    return scene::read_scenes(scene_paths(options.scenes));
+  }();
   const bool changes = std::ranges::any_of(scenes, drawing::changes_with_time);
   check_options(app, {{"these scenes", !changes, {"--time"}, "none of their lights turns or flashes"}});
   for (scene::Scene& scene : scenes) scene::move_to_time(scene, drawing.seconds);
@@ -311,16 +317,16 @@ Job add_comparison_job(CLI::App& app) {
                  "Compare settings of one scene in place of its lighting paths; given once for each of them")
       ->type_name("SETTING")
       ->allow_extra_args(false);
+  add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each path or setting to time (default 5)");
   drawing::add_changes(app, options->scene);
+  drawing::add_time(app, options->drawing);
   drawing::add_view(app, options->scene);
   drawing::add_path(app, options->drawing);
   drawing::add_fog_and_visibility(app, options->drawing);
   drawing::add_fog_light(app, options->drawing);
   drawing::add_shadows(app, options->drawing);
-  drawing::add_rendering(app, options->drawing);
-  drawing::add_time(app, options->drawing);
   drawing::add_display(app, options->drawing.display);
-  add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each path or setting to time (default 5)");
+  drawing::add_rendering(app, options->drawing);
   return [&app, options] {
     return options->settings.empty() ? compare_by_paths(app, *options) : compare_by_settings(app, *options);
   };
@@ -347,13 +353,13 @@ Job add_sequence_job(CLI::App& app) {
   app.add_option("SCENE", options->sequence.scene, "A scene as that of a single picture")->type_name("")->required();
   add_folder(app, options->folder, ": SCENE-0001.png and so on, and SCENE.apng, which plays them");
   add_sequence(app, options->sequence);
-  add_contrast(app, options->drawing.contrast);
   drawing::add_fog(app, options->drawing);
+  add_contrast(app, options->drawing.contrast);
   drawing::add_path(app, options->drawing);
   drawing::add_fog_light(app, options->drawing);
   drawing::add_shadows(app, options->drawing);
-  drawing::add_rendering(app, options->drawing);
   drawing::add_display(app, options->drawing.display);
+  drawing::add_rendering(app, options->drawing);
   return [&app, options] {
     const drawing::DrawingOptions& drawing = options->drawing;
     if (app.count("--film") > 0 && !is_film_path(options->sequence.film)) {

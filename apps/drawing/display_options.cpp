@@ -38,6 +38,7 @@ Display DisplayOptions::display_for(const scene::Scene& scene, render::FogLighti
 }
 
 void add_display(CLI::App& app, DisplayOptions& options) {
+  app.option_defaults()->group("Display");
   app.add_option_function<std::string>(
          "--exposure", [&options](const std::string& text) { options.exposure = parse_exposure(text); },
          "EV by which a .png is brighter than the scene's light; auto chooses it from the picture (default the "

@@ -150,6 +150,7 @@ void take_layers(DrawingOptions& options, const std::string& file) {
 }
 
 void add_fog(CLI::App& app, DrawingOptions& options) {
+  app.option_defaults()->group("Fog");
   command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
                                               {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},
                                               "Law by which fog dims light over range (default exp)");
@@ -158,6 +159,7 @@ void add_fog(CLI::App& app, DrawingOptions& options) {
 }
 
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
+  app.option_defaults()->group("Fog");
   command::add_choice<std::optional<FogMode>>(app, "--fog", options.fog,
                                               {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}, {"none", std::nullopt}},
                                               "Law by which fog dims light over range (default exp)");
@@ -182,6 +184,7 @@ bool is_hales_lookup(const render::LightingPath& path) {
 }
 
 void add_path(CLI::App& app, DrawingOptions& options) {
+  app.option_defaults()->group("Light");
   command::add_choice(app, "--path", options.render.path, path_names(),
                       "Lighting path: see `litfog-demo list paths` (default unified)");
 }
@@ -194,6 +197,7 @@ void add_size(CLI::App& app, DrawingOptions& options) {
 }
 
 void add_rendering(CLI::App& app, DrawingOptions& options) {
+  app.option_defaults()->group("Pixels");
   add_size(app, options);
   command::add_choice(app, "--samples", options.render.samples, kSamples,
                       "At least this many samples a pixel (default 4)");
@@ -201,7 +205,7 @@ void add_rendering(CLI::App& app, DrawingOptions& options) {
       "--no-skip", [&options] { options.render.skipping = render::Skipping::off; },
       "Draw and light everything, even what cannot be visible");
   render::PaperSettings& papers = options.render.papers;
-  app.option_defaults()->group("Options that re-enact the papers");
+  app.option_defaults()->group("The papers' ways");
   app.add_flag("--flat-shading", papers.is_flat_shaded,
                "With lookup-3d and lookup-2d: the directional light by the faces' normals");
   command::add_number(
@@ -216,10 +220,10 @@ void add_rendering(CLI::App& app, DrawingOptions& options) {
       "Cube maps of paths with light maps: scaled spans one face by each cone below 90 degrees, as the papers do; even "
       "spreads cones wider than 60 degrees over all faces; one-disc is Frazier's one map for every cone (default "
       "scaled)");
-  app.option_defaults()->group("Options");
 }
 
 void add_fog_light(CLI::App& app, DrawingOptions& options) {
+  app.option_defaults()->group("Light");
   command::add_choice(
       app, "--fog-light", options.fog_light, kFogLights,
       "How lamps light the fog: peak is the papers' way, in which only carried lights do; airlight is that of every "
@@ -233,6 +237,7 @@ void add_fog_light(CLI::App& app, DrawingOptions& options) {
 }
 
 void add_shadows(CLI::App& app, DrawingOptions& options) {
+  app.option_defaults()->group("Light");
   command::add_choice(
       app, "--shadows", options.render.shadows, kShadows,
       "What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight, which errs by up "
@@ -247,6 +252,7 @@ void add_shadows(CLI::App& app, DrawingOptions& options) {
 }
 
 void add_time(CLI::App& app, DrawingOptions& options) {
+  app.option_defaults()->group("Scene");
   command::add_number(app, "--time", options.seconds, kSeconds,
                       "Seconds for which the scene's cookies and lights have been turning and flashing (default 0)");
 }

@@ -39,7 +39,8 @@ inline constexpr command::Choice<render::ConeMaps> kConeMaps[] = {{"scaled", ren
                                                                   {"even", render::ConeMaps::even, ""},
                                                                   {"one-disc", render::ConeMaps::one_disc, ""}};
 
-/// What the jobs of litfog-demo have in common: how they draw. A job adds the options that mean something to it.
+/// What the jobs of litfog-demo have in common: how they draw. A job adds the options that mean something to it; each
+/// function that adds some states their heading in --help.
 struct DrawingOptions {
   std::optional<FogMode> fog = FogMode::exp;       ///< none: clear air
   std::optional<double> visibility = {};           ///< metres; default: what each scene suggests

@@ -41,6 +41,7 @@ void add_scene(CLI::App& app, SceneOptions& options) {
 }
 
 void add_changes(CLI::App& app, SceneOptions& options) {
+  app.option_defaults()->group("Scene");
   app.add_option_function<std::vector<std::string>>(
          "--set",
          [&options](const std::vector<std::string>& texts) {
@@ -62,6 +63,7 @@ void add_city_lights(CLI::App& app, SceneOptions& options) {
 }
 
 void add_view(CLI::App& app, SceneOptions& options) {
+  app.option_defaults()->group("View");
   add_point(app, "--camera", options.camera, "Where the eye is, metres (default the scene's)");
   add_point(app, "--target", options.target, "What it looks at, metres (default the scene's)");
   app.add_option_function<std::string>(

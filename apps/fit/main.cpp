@@ -309,7 +309,7 @@ struct Results {
 /// Inputs as they are done, by any thread.
 class FitProgress {
  public:
-  explicit FitProgress(std::size_t count) : count_(count) {}
+  explicit FitProgress(std::size_t count) : count_(count) { progress_.show(fmt::format("fitting 1 of {}", count)); }
 
   void add(const Input& input) {
     const std::scoped_lock lock(mutex_);
@@ -500,16 +500,7 @@ int main(int argc, char** argv) {
                  "names of bundled lights")
       ->type_name("FILE...")
       ->required();
-  app.add_option(
-         "-o,--output", options.output,
-         "Write the light here, where nothing is or a fitted light; of several inputs, NAME.json each in this folder, "
-         "made if missing")
-      ->type_name("FILE|FOLDER");
-  app.add_flag("--force", options.is_forced, "Replace files of other kinds by the light, the plot and the cookie");
-  app.add_option("--against", options.against, "Another input: both in one table and one plot")->type_name("INPUT");
-  app.add_option("--catalogue", options.catalogue,
-                 "Write the lights, their pictures and a page of all of them, index.html, into this folder")
-      ->type_name("FOLDER");
+  app.option_defaults()->group("Fit");
   std::optional<ConeProfile> profile;
   std::vector<std::pair<std::string, std::optional<ConeProfile>>> profiles;
   std::string meanings;
@@ -521,10 +512,23 @@ int main(int argc, char** argv) {
   profiles.emplace_back("best", std::nullopt);
   add_choice<std::optional<ConeProfile>>(app, "--profile", profile, profiles,
                                          "Cone profile, in place of the spec's own" + meanings);
-  app.add_flag("--details", options.has_details,
-               "Report more of a single input: derived figures, errors of each sample, and how the optimum is proven");
   app.add_flag("--robust", options.choices.is_robust,
                "For measured falloff tables: samples that lie far off count less");
+  add_axis(app, options.choices.axis);
+  double tilt_deg = 0;
+  constexpr NumberRule kTiltRule{[](double x) { return x >= 0 && x <= 180; }, "must be a number from 0 to 180", 0, 180};
+  add_number(app, "--tilt", tilt_deg, kTiltRule,
+             "Degrees by which the luminaire is tilted as it is mounted, for files with tilt data; 0 if not given");
+  app.option_defaults()->group("Output");
+  app.add_option(
+         "-o,--output", options.output,
+         "Write the light here, where nothing is or a fitted light; of several inputs, NAME.json each in this folder, "
+         "made if missing")
+      ->type_name("FILE|FOLDER");
+  app.add_flag("--force", options.is_forced, "Replace files of other kinds by the light, the plot and the cookie");
+  app.add_option("--catalogue", options.catalogue,
+                 "Write the lights, their pictures and a page of all of them, index.html, into this folder")
+      ->type_name("FOLDER");
   app.add_option("--plot", options.plot, "Draw targets, fits and errors over range and angle")
       ->type_name("FILE.png|FILE.svg");
   CLI::Option* const cookie = app.add_option("--cookie", options.cookie,
@@ -534,11 +538,9 @@ int main(int argc, char** argv) {
   add_integer(app, "--cookie-size", cookie_size, 1, litfog::kMaxCookieSize,
               "Edge of a face in texels, 256 if not given")
       ->needs(cookie);
-  add_axis(app, options.choices.axis);
-  double tilt_deg = 0;
-  constexpr NumberRule kTiltRule{[](double x) { return x >= 0 && x <= 180; }, "must be a number from 0 to 180", 0, 180};
-  add_number(app, "--tilt", tilt_deg, kTiltRule,
-             "Degrees by which the luminaire is tilted as it is mounted, for files with tilt data; 0 if not given");
+  app.add_option("--against", options.against, "Another input: both in one table and one plot")->type_name("INPUT");
+  app.add_flag("--details", options.has_details,
+               "Report more of a single input: derived figures, errors of each sample, and how the optimum is proven");
   add_choice<TableFormat>(app, "--format", options.format,
                           {{"text", TableFormat::text}, {"csv", TableFormat::csv}, {"json", TableFormat::json}},
                           "Format of the report or, of several inputs, the table: text if not given");

@@ -100,7 +100,7 @@ struct Scene {
   std::map<std::size_t, Mount> mounts;           ///< by their lights, whose directions they give
   std::map<std::size_t, double> turn_rates;      ///< by light: radians a second at which its axis turns about +Y
   std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
-  bool is_lit_at_vertices = false;  ///< it shows what tessellation does: the gallery draws it by the path `vertex`
+  bool is_lit_at_vertices = false;  ///< what tessellation does to light at vertices: a gallery of all scenes lacks it
   SceneDisplay display = {};
   double seconds = 0;            ///< its time, by which lights flash (lit_light)
   std::vector<FogLayer> layers;  ///< as its file states them

@@ -393,12 +393,17 @@ int main(int argc, char** argv) {
   Options options;
   CLI::App app{kDescription, "litfog-solve"};
   app.footer(kExamples);
+  app.option_defaults()->group("Light");
   add_number(app, "--constant", options.attenuation.constant, kFiniteNotNegative,
              "Attenuation's constant, 0 if not given");
   add_number(app, "--linear", options.attenuation.linear, kFiniteNotNegative, "Its linear term in 1/m, 0 if not given");
   add_number(app, "--quadratic", options.attenuation.quadratic, kFiniteNotNegative,
              "Its quadratic term in 1/m^2, 0 if not given");
   app.add_option("--light", options.light_files, "Light files instead of these three; one row each")->type_name("FILE");
+  double threshold = 0;
+  add_number(app, "--threshold", threshold, kOpenUnitInterval,
+             "Attenuation at which a light ends; the light's own or 0.05 if not given");
+  app.option_defaults()->group("Fog");
   add_choice<FogMode>(app, "--fog", options.mode, {{"exp", FogMode::exp}, {"exp2", FogMode::exp2}},
                       "Fog's falloff, exp if not given");
   add_numbers(app, "--visibility", options.visibilities, kNotNegative, "Visibilities in metres; inf is clear air");
@@ -408,9 +413,7 @@ int main(int argc, char** argv) {
               "Runway visual ranges in metres instead of visibilities, which are then printed: by mor");
   add_numbers(app, "--density", options.densities, kNotNegative,
               "Fog densities in 1/m instead of visibilities; inf is total fog");
-  double threshold = 0;
-  add_number(app, "--threshold", threshold, kOpenUnitInterval,
-             "Attenuation at which a light ends; the light's own or 0.05 if not given");
+  app.option_defaults()->group("Solution and output");
   add_choice<Method>(app, "--method", options.method, {{"exact", Method::exact}, {"sampled", Method::sampled}},
                      "How to solve, exact if not given; sampled is Hales's, kept for comparison");
   add_integer(app, "--samples", options.samples, 1, 1'000'000'000, "Samples of --method sampled, 64 if not given");

@@ -125,6 +125,7 @@ std::string frame_file(const scene::Scene& scene, int frame) {
 }  // namespace
 
 void add_sequence(CLI::App& app, SequenceOptions& options) {
+  app.option_defaults()->group("What changes");
   add_course(
       app, "--visibility", options.visibility, command::kNotNegative, Steps::ratio,
       "Range in metres at which a fraction of the contrast is left; a range goes by equal ratios (default: what the "
@@ -146,6 +147,7 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
          "again")
       ->type_name("MEMBER=VALUE")
       ->allow_extra_args(false);
+  app.option_defaults()->group("Output");
   command::add_integer(app, "--frames", options.frames, 2, kMaxFrames,
                        fmt::format("How many (default as many as a list or range asks for, else {})", kDefaultFrames));
   command::add_integer(app, "--fps", options.frames_per_second, 1, 100,
@@ -268,10 +270,11 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const drawing:
 
   const render::RenderSettings settings = drawing.settings();
   const bool chooses_casters = sequence.moves_camera() && settings.shadows != render::Shadows::none;
+  command::Progress progress;
+  progress.show(fmt::format("{}: loading", scene.name));
   render::Renderer renderer(scene, drawing.width, drawing.height, settings);
   if (sequence.changes_environment_light()) renderer.set_environment_light();
   drawing::Display display = drawing.display.display_for(scene, settings.fog_lighting);
-  command::Progress progress;
   for (int frame = 0; frame < count; ++frame) {
     const command::WallTimer frame_timer;
     progress.show(fmt::format("{}: {}, frame {} of {}", scene.name, frame == 0 ? measure::kCompiling : "drawing",

@@ -27,8 +27,8 @@ namespace litfog::scene {
 ///         "moon": {"direction": [0.3, 0.5, -1], "color": [0.02, 0.02, 0.03]}
 ///       },
 ///       "visibilities_m": [500, 150, 50],                 optional: for the gallery; at most 16
-///       "lit_at_vertices": true,                          optional: the gallery draws it by the path `vertex`, unless
-///                                                         another than its default is asked for; default: false
+///       "lit_at_vertices": true,                          optional: it shows light at vertices: only a gallery that
+///                                                         names it draws it; default: false
 ///       "fog_top_m": 120,                                 optional: the height at which rays to the sky leave the fog;
 ///                                                         default: never, any fog hides the sky, and the moon
 ///                                                         lights none of it (is_open_above())
