@@ -2,30 +2,18 @@
 #include "command/number.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+
+#include "text/number_text.h"
 
 namespace litfog::command {
 
-namespace {
-
-template <typename Number>
-std::optional<Number> parse(std::string_view text) {
-  Number number;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || stop != end) return std::nullopt;
-  return number;
-}
-
-}  // namespace
-
 std::optional<double> parse_number(std::string_view text) {
-  const auto number = parse<double>(text);
+  const auto number = whole_number(text);
   return number && !std::isnan(*number) ? number : std::nullopt;
 }
 
-std::optional<int> parse_integer(std::string_view text) { return parse<int>(text); }
+std::optional<int> parse_integer(std::string_view text) { return whole_number<int>(text); }
 
 std::vector<std::string_view> split_at_commas(std::string_view text) {
   std::vector<std::string_view> parts;

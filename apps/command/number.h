@@ -7,8 +7,7 @@
 
 namespace litfog::command {
 
-/// A whole text as a number, whatever the locale: "1", "-2.5e3", ".5", "inf", "infinity" in any case.
-/// Nothing for an empty text, white space, a leading +, hexadecimal, nan, trailing text, or a number beyond the type.
+/// whole_number(), but for nan.
 std::optional<double> parse_number(std::string_view text);
 
 /// Parses an integer: decimal digits with an optional minus.

@@ -5,13 +5,12 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <numeric>
 #include <optional>
 
 #include "model/float_limit.h"
 #include "text/ascii_text.h"
+#include "text/number_text.h"
 
 namespace litfog::files {
 namespace {
@@ -31,14 +30,6 @@ std::size_t slips_between(std::string_view a, std::string_view b) {
     }
   }
   return slips[a.size()][b.size()];
-}
-
-/// A number that JSON can hold.
-std::optional<double> parse_number(std::string_view text) {
-  double number;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  return stop == end && error == std::errc() && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
 /// A percentage as a fraction, without the digits that division by 100 adds: 1.1 / 100 is 0.011000000000000001.
@@ -64,12 +55,12 @@ std::string hint_for_word(std::string_view word, const std::vector<std::string_v
 std::string hint_for_number(std::string_view text) {
   text = trimmed(text);
   if (!text.ends_with('%')) return "";
-  const auto percent = parse_number(trimmed(text.substr(0, text.size() - 1)));
+  const auto percent = finite_number(trimmed(text.substr(0, text.size() - 1)));
   return percent ? percent_text(*percent) : "";
 }
 
 std::string hint_for_quoted_number(std::string_view text) {
-  const auto number = parse_number(trimmed(text));
+  const auto number = finite_number(trimmed(text));
   return number ? fmt::format("; write {}, without quotation marks", *number) : hint_for_number(text);
 }
 

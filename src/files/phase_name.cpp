@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/files/phase_name.h"
 
-#include <charconv>
+#include "text/number_text.h"
 
 namespace litfog::files {
 namespace {
 
 /// The number after a prefix; nothing where the text is not the prefix and a number.
 std::optional<double> number_after(std::string_view prefix, std::string_view text) {
-  if (!text.starts_with(prefix)) return std::nullopt;
-  double number = 0;
-  const char* const end = text.data() + text.size();
-  const auto [parsed, error] = std::from_chars(text.data() + prefix.size(), end, number);
-  return error == std::errc{} && parsed == end ? std::optional(number) : std::nullopt;
+  return text.starts_with(prefix) ? whole_number(text.substr(prefix.size())) : std::nullopt;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <utf8.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <optional>
 
@@ -12,6 +11,7 @@
 #include "text/ascii_text.h"
 #include "text/code_points.h"
 #include "text/file_text.h"
+#include "text/number_text.h"
 
 namespace litfog {
 namespace {
@@ -43,11 +43,7 @@ std::optional<double> parse_number(std::string_view text) {
     with_e[exponent] = 'e';
     text = with_e;
   }
-  double number;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, number);
-  if (error != std::errc() || stop != end || !std::isfinite(number)) return std::nullopt;
-  return number;
+  return finite_number(text);
 }
 
 }  // namespace

@@ -3,7 +3,10 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
+#include <optional>
 #include <string>
+#include <string_view>
 
 namespace litfog {
 
@@ -11,6 +14,19 @@ namespace litfog {
 inline std::string number_text(double number) {
   std::array<char, 32> text;  // 24 characters at most
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
+}
+
+/// A whole text as a number, in any locale: "1", "-2.5e3", ".5", "inf", "nan". Nothing for an empty text, white space,
+/// a leading +, hexadecimal, trailing text, or a number beyond the type.
+template <typename Number = double>
+std::optional<Number> whole_number(std::string_view text) {
+  Number number{};
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && stop == text.data() + text.size() ? std::optional(number) : std::nullopt;
+}
+inline std::optional<double> finite_number(std::string_view text) {
+  const auto number = whole_number(text);
+  return number && std::isfinite(*number) ? number : std::nullopt;
 }
 
 }  // namespace litfog
