@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "airlight/inverse_square_lamp.h"
 #include "bench/glow_rival.h"
 #include "bench/stopwatch.h"
 #include "command/progress.h"
@@ -22,7 +23,6 @@
 namespace litfog::bench {
 namespace {
 
-constexpr double kQuadratic = 1e12;                          // 1 / I; the knee is a millionth of a free path
 constexpr double kNearestAngle = 0.3, kFarthestAngle = 180;  // degrees
 constexpr int kLinesAWalk = 4;                               // steps of a chart's lines between two walks
 constexpr int kMarchSteps = 16;
@@ -40,19 +40,14 @@ struct Lamp {
   double parameter;
   double depth;
   Atmosphere air = {.fog = {FogMode::exp, 1}};
-  PlacedLight light = {};
+  PlacedLight light;
   std::vector<Method> methods = {};  ///< the reference is the first
 
   Lamp(const std::string& phase, double phase_parameter, double tau, const measure::RadialScattering::Glow& reference)
-      : kind(phase), parameter(phase_parameter), depth(tau) {
+      : kind(phase), parameter(phase_parameter), depth(tau), light(lamp_ahead(tau)) {
     air.phase = kind == "hg" ? Phase::henyey_greenstein(parameter) : Phase::droplets(parameter);
-    light.position.z = -depth;
-    light.light.attenuation = {.constant = 0, .linear = 0, .quadratic = kQuadratic};
-    light.light.threshold = 1e-17;
     add_methods(reference);
   }
-
-  static EyeRay ray(double angle) { return {.direction = {std::sin(angle), 0, -std::cos(angle)}}; }
 
  private:
   void add_methods(const measure::RadialScattering::Glow& reference) {
@@ -63,14 +58,16 @@ struct Lamp {
     ScatteringSource source;
     source.intensity = source_intensity(light.light, air);
     const double tau = depth, mean_cosine = litfog::mean_cosine(air.phase);
-    const auto once = [lamp = light, fog = air](double angle) { return kQuadratic * airlight(lamp, fog, ray(angle)); };
+    const auto once = [lamp = light, fog = air](double angle) {
+      return kQuadratic * airlight(lamp, fog, ray_beside(angle));
+    };
     add("reference", "", line, 7, [lamp = light, fog = air, tau, reference](double angle) {
-      return kQuadratic * reference_airlight(lamp, fog, ray(angle)) + reference.at(tau, angle);
+      return kQuadratic * reference_airlight(lamp, fog, ray_beside(angle)) + reference.at(tau, angle);
     });
     add("single", "scattered once", dashes, 0, once);
     add("all", "all orders", line, 1,
         [once, lamp = light, fog = air, source, table = make_scattering_table(air)](double angle) {
-          return once(angle) + kQuadratic * multiple_scattering(lamp, source, fog, table, ray(angle));
+          return once(angle) + kQuadratic * multiple_scattering(lamp, source, fog, table, ray_beside(angle));
         });
     if (tau > 1) {
       add("apsf-2003", "APSF of 2003", line, 2, [=](double angle) { return apsf_glow(mean_cosine, tau, angle); });
@@ -156,7 +153,7 @@ Result draw_glow(bool quick) {
       progress.show(fmt::format("walking in {}, at {:.2g} degrees", name, degrees));
       measure::ScatteringWalk walk;
       walk.paths = quick ? 256 : 65536;
-      const measure::ScatteredLight light = walk_scattering(lamp.light, lamp.air, Lamp::ray(radians(degrees)), walk);
+      const measure::ScatteredLight light = walk_scattering(lamp.light, lamp.air, ray_beside(radians(degrees)), walk);
       const double value = kQuadratic * (light.first.value + light.higher.value);
       const double error = kQuadratic * std::hypot(light.first.error, light.higher.error);
       add_row(degrees, "walk", value, error, std::monostate());

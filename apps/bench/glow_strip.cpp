@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "airlight/inverse_square_lamp.h"
 #include "command/progress.h"
 #include "drawing/lettering.h"
 #include "drawing/picture_file.h"
@@ -21,7 +22,6 @@
 namespace litfog::bench {
 namespace {
 
-constexpr double kQuadratic = 1e12;                                           // 1 / I
 constexpr double kRange = 100;                                                // metres
 constexpr std::array kVisibilities{1000.0, 300.0, 150.0, 100.0, 60.0, 30.0};  // metres
 constexpr std::array kRows{"scattered once", "all orders, litfog", "all orders, reference"};
@@ -71,10 +71,7 @@ std::string draw_glow_strip(bool quick) {
   for (std::size_t column = 0; column < kVisibilities.size(); ++column) {
     progress.show(fmt::format("the strip at a visibility of {} m", kVisibilities[column]));
     air.fog = Fog::from_visibility(FogMode::exp, kVisibilities[column]);
-    PlacedLight lamp;
-    lamp.position.z = -kRange;
-    lamp.light.attenuation = {.constant = 0, .linear = 0, .quadratic = kQuadratic};
-    lamp.light.threshold = 1e-17;
+    const PlacedLight lamp = lamp_ahead(kRange);
     ScatteringSource source;
     source.intensity = source_intensity(lamp.light, air);
     const double depth = air.fog.density * kRange;
@@ -83,7 +80,7 @@ std::string draw_glow_strip(bool quick) {
     const double direct = 4 * std::exp(-depth) / (kRange * kRange * disc * disc);
     const auto draw = [&](const auto& higher) {
       return draw_around(width, height, [&](double angle) {
-        const EyeRay ray{.direction = {std::sin(angle), 0, -std::cos(angle)}};
+        const EyeRay ray = ray_beside(angle);
         return kQuadratic * airlight(lamp, air, ray) + higher(ray, angle) + (angle < disc ? direct : 0);
       });
     };

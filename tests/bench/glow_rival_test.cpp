@@ -8,6 +8,7 @@
 #include <functional>
 #include <numbers>
 
+#include "airlight/inverse_square_lamp.h"
 #include "litfog/airlight.h"
 
 namespace litfog::bench {
@@ -49,15 +50,11 @@ TEST(GlowRival, OctavesAreAirlightsInEverThinnerFog) {
     for (const double angle : {0.3, 1.0, 2.5}) {
       double sum = 0;
       for (const double part : {1.0, 0.5, 0.25}) {
-        PlacedLight lamp;
-        lamp.position.z = -depth;
-        lamp.light.attenuation = {0, 0, 1e12};
-        lamp.light.threshold = 1e-17;
         Phase flattened = phase;
         flattened.first.asymmetry *= part;
         flattened.second.asymmetry *= part;
-        const EyeRay ray{.direction = {std::sin(angle), 0, -std::cos(angle)}, .length = 9.2};
-        sum += 1e12 * reference_airlight(lamp, {.fog = {FogMode::exp, part}, .phase = flattened}, ray);
+        sum += kQuadratic * reference_airlight(lamp_ahead(depth), {.fog = {FogMode::exp, part}, .phase = flattened},
+                                               ray_beside(angle, 9.2));
       }
       EXPECT_NEAR(octave_glow(phase, depth, angle, 20'000) / sum, 1, 1e-4) << depth << " " << angle;
     }

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
+#include "airlight/inverse_square_lamp.h"
 #include "litfog/airlight.h"
-#include "measure/inverse_square_lamp.h"
 #include "measure/quantile.h"
 #include "measure/radial_scattering.h"
 #include "measure/scattering_walk.h"

@@ -8,8 +8,8 @@
 #include <numbers>
 #include <string>
 
+#include "airlight/inverse_square_lamp.h"
 #include "litfog/airlight.h"
-#include "measure/inverse_square_lamp.h"
 #include "measure/scattering_walk.h"
 
 namespace litfog::test {

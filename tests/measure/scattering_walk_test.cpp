@@ -12,8 +12,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "airlight/inverse_square_lamp.h"
 #include "litfog/density_profile.h"
-#include "measure/inverse_square_lamp.h"
 
 namespace litfog::test {
 namespace {

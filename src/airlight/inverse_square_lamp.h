@@ -6,11 +6,11 @@
 
 #include "litfog/airlight.h"
 
-namespace litfog::test {
+namespace litfog {
 
-inline constexpr double kQuadratic = 1e12;  // inverse-square beyond a micrometre
+inline constexpr double kQuadratic = 1e12;  // 1 / I; inverse-square beyond a micrometre
 
-/// A point lamp, 1 / (Q r^2), that lies some metres ahead of the eye.
+/// A point lamp, 1 / (Q r^2), that lies so far ahead of the eye, in metres or, in fog of density 1, depths.
 inline PlacedLight lamp_ahead(double range) {
   Light light;
   light.attenuation = {.constant = 0, .linear = 0, .quadratic = kQuadratic};
@@ -23,4 +23,4 @@ inline EyeRay ray_beside(double angle, double length = std::numeric_limits<doubl
   return {.direction = {std::sin(angle), 0, -std::cos(angle)}, .length = length};
 }
 
-}  // namespace litfog::test
+}  // namespace litfog
