@@ -28,150 +28,59 @@ namespace litfog::c {
 template <typename C>
 struct Counterpart;
 
-#define LITFOG_COUNTERPART(C, Cpp)                                                                           \
+#define LITFOG_COUNTERPART(C, Cpp, ...)                                                                      \
   template <>                                                                                                \
   struct Counterpart<C> {                                                                                    \
     using type = Cpp;                                                                                        \
   };                                                                                                         \
   static_assert(sizeof(C) == sizeof(Cpp) && alignof(C) == alignof(Cpp) && std::is_trivially_copyable_v<C> && \
-                std::is_trivially_copyable_v<Cpp>)
-#define LITFOG_MEMBER(C, Cpp, member) \
-  static_assert(offsetof(C, member) == offsetof(Cpp, member) && sizeof(C::member) == sizeof(Cpp::member))
+                std::is_trivially_copyable_v<Cpp>);                                                          \
+  LITFOG_MEMBERS(C, Cpp, __VA_ARGS__)
+// Asserts the first member and names itself for the others, which each scan by LITFOG_ONCE expands once more. A member
+// beyond what the scans reach would leave LITFOG_NEXT, which does not compile.
+#define LITFOG_MEMBERS(...) LITFOG_AGAIN(LITFOG_AGAIN(LITFOG_MEMBER(__VA_ARGS__)))
+#define LITFOG_AGAIN(...) LITFOG_ONCE(LITFOG_ONCE(LITFOG_ONCE(LITFOG_ONCE(__VA_ARGS__))))
+#define LITFOG_ONCE(...) __VA_ARGS__
+#define LITFOG_MEMBER(C, Cpp, member, ...)                                                                \
+  static_assert(offsetof(C, member) == offsetof(Cpp, member) && sizeof(C::member) == sizeof(Cpp::member)) \
+      __VA_OPT__(; LITFOG_NEXT LITFOG_NO_MORE()()(C, Cpp, __VA_ARGS__))
+#define LITFOG_NEXT() LITFOG_MEMBER
+#define LITFOG_NO_MORE()
 
-LITFOG_COUNTERPART(litfog_fog, Fog);
-LITFOG_MEMBER(litfog_fog, Fog, mode);
-LITFOG_MEMBER(litfog_fog, Fog, density);
-
-LITFOG_COUNTERPART(litfog_attenuation, Attenuation);
-LITFOG_MEMBER(litfog_attenuation, Attenuation, constant);
-LITFOG_MEMBER(litfog_attenuation, Attenuation, linear);
-LITFOG_MEMBER(litfog_attenuation, Attenuation, quadratic);
-
-LITFOG_COUNTERPART(litfog_cone, Cone);
-LITFOG_MEMBER(litfog_cone, Cone, profile);
-LITFOG_MEMBER(litfog_cone, Cone, half_angle);
-LITFOG_MEMBER(litfog_cone, Cone, exponent);
-LITFOG_MEMBER(litfog_cone, Cone, inner);
-LITFOG_MEMBER(litfog_cone, Cone, outer);
-
-LITFOG_COUNTERPART(litfog_single_flash, SingleFlash);
-LITFOG_MEMBER(litfog_single_flash, SingleFlash, start);
-LITFOG_MEMBER(litfog_single_flash, SingleFlash, duration);
-LITFOG_MEMBER(litfog_single_flash, SingleFlash, intensity);
-
-LITFOG_COUNTERPART(litfog_flash, Flash);
-LITFOG_MEMBER(litfog_flash, Flash, period);
-LITFOG_MEMBER(litfog_flash, Flash, count);
-LITFOG_MEMBER(litfog_flash, Flash, flashes);
-
-LITFOG_COUNTERPART(litfog_fog_intensity, FogIntensity);
-LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, intensity);
-LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, peak_range);
-LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, extent);
-LITFOG_MEMBER(litfog_fog_intensity, FogIntensity, status);
-
-LITFOG_COUNTERPART(litfog_phase_lobe, PhaseLobe);
-LITFOG_MEMBER(litfog_phase_lobe, PhaseLobe, asymmetry);
-LITFOG_MEMBER(litfog_phase_lobe, PhaseLobe, alpha);
-
-LITFOG_COUNTERPART(litfog_phase, Phase);
-LITFOG_MEMBER(litfog_phase, Phase, first);
-LITFOG_MEMBER(litfog_phase, Phase, second);
-LITFOG_MEMBER(litfog_phase, Phase, weight);
-
-LITFOG_COUNTERPART(litfog_density_knot, DensityKnot);
-LITFOG_MEMBER(litfog_density_knot, DensityKnot, height);
-LITFOG_MEMBER(litfog_density_knot, DensityKnot, density);
-
-LITFOG_COUNTERPART(litfog_density_profile, DensityProfile);
-LITFOG_MEMBER(litfog_density_profile, DensityProfile, knots);
-LITFOG_MEMBER(litfog_density_profile, DensityProfile, count);
-
-LITFOG_COUNTERPART(litfog_fog_layer, FogLayer);
-LITFOG_MEMBER(litfog_fog_layer, FogLayer, base);
-LITFOG_MEMBER(litfog_fog_layer, FogLayer, top);
-LITFOG_MEMBER(litfog_fog_layer, FogLayer, transition);
-LITFOG_MEMBER(litfog_fog_layer, FogLayer, visibility);
-
-LITFOG_COUNTERPART(litfog_atmosphere, Atmosphere);
-LITFOG_MEMBER(litfog_atmosphere, Atmosphere, fog);
-LITFOG_MEMBER(litfog_atmosphere, Atmosphere, phase);
-LITFOG_MEMBER(litfog_atmosphere, Atmosphere, albedo);
-LITFOG_MEMBER(litfog_atmosphere, Atmosphere, top);
-LITFOG_MEMBER(litfog_atmosphere, Atmosphere, ambient_fog_color);
-LITFOG_MEMBER(litfog_atmosphere, Atmosphere, profile);
-
-LITFOG_COUNTERPART(litfog_eye_ray, EyeRay);
-LITFOG_MEMBER(litfog_eye_ray, EyeRay, origin);
-LITFOG_MEMBER(litfog_eye_ray, EyeRay, direction);
-LITFOG_MEMBER(litfog_eye_ray, EyeRay, length);
-
-LITFOG_COUNTERPART(litfog_scattering_table, ScatteringTable);
-LITFOG_MEMBER(litfog_scattering_table, ScatteringTable, logs);
-
-LITFOG_COUNTERPART(litfog_fog_light_kind, FogLightKind);
-LITFOG_MEMBER(litfog_fog_light_kind, FogLightKind, attenuation_extent);
-LITFOG_MEMBER(litfog_fog_light_kind, FogLightKind, cone_scale_intensity);
-
-LITFOG_COUNTERPART(litfog_fog_light_instance, FogLightInstance);
-LITFOG_MEMBER(litfog_fog_light_instance, FogLightInstance, position_kind);
-LITFOG_MEMBER(litfog_fog_light_instance, FogLightInstance, axis_profile);
-LITFOG_MEMBER(litfog_fog_light_instance, FogLightInstance, color);
-
-LITFOG_COUNTERPART(litfog_fog_header, FogHeader);
-LITFOG_MEMBER(litfog_fog_header, FogHeader, fog);
-LITFOG_MEMBER(litfog_fog_header, FogHeader, ambient_fog_color);
-LITFOG_MEMBER(litfog_fog_header, FogHeader, phase_lobes);
-LITFOG_MEMBER(litfog_fog_header, FogHeader, density_knots);
-
-LITFOG_COUNTERPART(litfog_fog_light_block, FogLightBlock);
-LITFOG_MEMBER(litfog_fog_light_block, FogLightBlock, header);
-LITFOG_MEMBER(litfog_fog_light_block, FogLightBlock, kinds);
-LITFOG_MEMBER(litfog_fog_light_block, FogLightBlock, instances);
-
-LITFOG_COUNTERPART(litfog_light_handle, FogLightHandle);
-LITFOG_MEMBER(litfog_light_handle, FogLightHandle, slot);
-LITFOG_MEMBER(litfog_light_handle, FogLightHandle, generation);
-
-LITFOG_COUNTERPART(litfog_entry_range, EntryRange);
-LITFOG_MEMBER(litfog_entry_range, EntryRange, begin);
-LITFOG_MEMBER(litfog_entry_range, EntryRange, end);
-
-LITFOG_COUNTERPART(litfog_fog_update_statistics, FogUpdateStatistics);
-LITFOG_MEMBER(litfog_fog_update_statistics, FogUpdateStatistics, kinds_solved);
-LITFOG_MEMBER(litfog_fog_update_statistics, FogUpdateStatistics, kinds_skipped);
-LITFOG_MEMBER(litfog_fog_update_statistics, FogUpdateStatistics, lights_skipped);
-LITFOG_MEMBER(litfog_fog_update_statistics, FogUpdateStatistics, bytes_dirty);
-
-LITFOG_COUNTERPART(litfog_light_bounds, LightBounds);
-LITFOG_MEMBER(litfog_light_bounds, LightBounds, position);
-LITFOG_MEMBER(litfog_light_bounds, LightBounds, direction);
-LITFOG_MEMBER(litfog_light_bounds, LightBounds, range);
-LITFOG_MEMBER(litfog_light_bounds, LightBounds, half_angle);
-
-LITFOG_COUNTERPART(litfog_view, View);
-LITFOG_MEMBER(litfog_view, View, eye);
-LITFOG_MEMBER(litfog_view, View, forward);
-LITFOG_MEMBER(litfog_view, View, up);
-LITFOG_MEMBER(litfog_view, View, left);
-LITFOG_MEMBER(litfog_view, View, right);
-LITFOG_MEMBER(litfog_view, View, bottom);
-LITFOG_MEMBER(litfog_view, View, top);
-LITFOG_MEMBER(litfog_view, View, nearest);
-LITFOG_MEMBER(litfog_view, View, farthest);
-
-LITFOG_COUNTERPART(litfog_cluster_grid, ClusterGrid);
-LITFOG_MEMBER(litfog_cluster_grid, ClusterGrid, columns);
-LITFOG_MEMBER(litfog_cluster_grid, ClusterGrid, rows);
-LITFOG_MEMBER(litfog_cluster_grid, ClusterGrid, slices);
-LITFOG_MEMBER(litfog_cluster_grid, ClusterGrid, first_depth);
-
-LITFOG_COUNTERPART(litfog_cluster, Cluster);
-LITFOG_MEMBER(litfog_cluster, Cluster, first);
-LITFOG_MEMBER(litfog_cluster, Cluster, count);
+LITFOG_COUNTERPART(litfog_fog, Fog, mode, density);
+LITFOG_COUNTERPART(litfog_attenuation, Attenuation, constant, linear, quadratic);
+LITFOG_COUNTERPART(litfog_cone, Cone, profile, half_angle, exponent, inner, outer);
+LITFOG_COUNTERPART(litfog_single_flash, SingleFlash, start, duration, intensity);
+LITFOG_COUNTERPART(litfog_flash, Flash, period, count, flashes);
+LITFOG_COUNTERPART(litfog_fog_intensity, FogIntensity, intensity, peak_range, extent, status);
+LITFOG_COUNTERPART(litfog_phase_lobe, PhaseLobe, asymmetry, alpha);
+LITFOG_COUNTERPART(litfog_phase, Phase, first, second, weight);
+LITFOG_COUNTERPART(litfog_density_knot, DensityKnot, height, density);
+LITFOG_COUNTERPART(litfog_density_profile, DensityProfile, knots, count);
+LITFOG_COUNTERPART(litfog_fog_layer, FogLayer, base, top, transition, visibility);
+LITFOG_COUNTERPART(litfog_atmosphere, Atmosphere, fog, phase, albedo, top, ambient_fog_color, profile);
+LITFOG_COUNTERPART(litfog_eye_ray, EyeRay, origin, direction, length);
+LITFOG_COUNTERPART(litfog_scattering_table, ScatteringTable, logs);
+LITFOG_COUNTERPART(litfog_fog_light_kind, FogLightKind, attenuation_extent, cone_scale_intensity);
+LITFOG_COUNTERPART(litfog_fog_light_instance, FogLightInstance, position_kind, axis_profile, color);
+LITFOG_COUNTERPART(litfog_fog_header, FogHeader, fog, ambient_fog_color, phase_lobes, density_knots);
+LITFOG_COUNTERPART(litfog_fog_light_block, FogLightBlock, header, kinds, instances);
+LITFOG_COUNTERPART(litfog_light_handle, FogLightHandle, slot, generation);
+LITFOG_COUNTERPART(litfog_entry_range, EntryRange, begin, end);
+LITFOG_COUNTERPART(litfog_fog_update_statistics, FogUpdateStatistics, kinds_solved, kinds_skipped, lights_skipped,
+                   bytes_dirty);
+LITFOG_COUNTERPART(litfog_light_bounds, LightBounds, position, direction, range, half_angle);
+LITFOG_COUNTERPART(litfog_view, View, eye, forward, up, left, right, bottom, top, nearest, farthest);
+LITFOG_COUNTERPART(litfog_cluster_grid, ClusterGrid, columns, rows, slices, first_depth);
+LITFOG_COUNTERPART(litfog_cluster, Cluster, first, count);
 
 #undef LITFOG_COUNTERPART
+#undef LITFOG_MEMBERS
+#undef LITFOG_AGAIN
+#undef LITFOG_ONCE
 #undef LITFOG_MEMBER
+#undef LITFOG_NEXT
+#undef LITFOG_NO_MORE
 
 /// Enumerators are the same numbers, constants the same values.
 template <typename Enum>
