@@ -2,6 +2,7 @@
 #include "render/plan/lighting_path.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace litfog::render {
 namespace {
@@ -50,6 +51,35 @@ std::vector<SurfacePass> accumulated_with_texture() {
   return passes;
 }
 
+/// A path by light maps whose light has a bound.
+LightingPath by_maps(std::string_view name, std::string_view description, std::string_view paper, LightMapSet maps,
+                     std::vector<SurfacePass> passes) {
+  const bool is_radial = maps == LightMapSet::radial;
+  return {.name = name,
+          .description = description,
+          .source = std::string(paper),
+          .surface = is_radial ? SurfaceModel::unshaded : SurfaceModel::diffuse,
+          .range = is_radial ? RangeLaw::radial : RangeLaw::attenuation,
+          .evaluation = Evaluation::lookup,
+          .takes_airlight = true,
+          .has_light_bound = true,
+          .maps = maps,
+          .passes = std::move(passes)};
+}
+
+/// `unified` but for what its fragment shader does otherwise.
+LightingPath like_unified(std::string_view name, std::string_view description, std::string source, SurfacePass pass,
+                          bool has_reference) {
+  return {.name = name,
+          .description = description,
+          .source = std::move(source),
+          .has_normal_maps = true,
+          .takes_airlight = true,
+          .takes_scattered_light = true,
+          .has_reference = has_reference,
+          .passes = {pass}};
+}
+
 std::vector<LightingPath> make_paths() {
   return {
       {.name = "unified",
@@ -60,57 +90,20 @@ std::vector<LightingPath> make_paths() {
        .takes_scattered_light = true,
        .has_light_bound = true,
        .passes = {per_fragment("path/unified.frag")}},
-      {.name = "lookup-3d",
-       .description = "range from a 3-D texture, angle from a cube map whose +x face spans the cone",
-       .source = std::string(kHales),
-       .surface = SurfaceModel::diffuse,
-       .evaluation = Evaluation::lookup,
-       .takes_airlight = true,
-       .has_light_bound = true,
-       .maps = LightMapSet::volume,
-       .passes = {looked_up("path/lookup_3d.frag", {.batch_size = 4, .bring_fog = true})}},
-      {.name = "lookup-2d",
-       .description = "range from two 2-D textures, angle from the same cube map",
-       .source = std::string(kHales),
-       .surface = SurfaceModel::diffuse,
-       .evaluation = Evaluation::lookup,
-       .takes_airlight = true,
-       .has_light_bound = true,
-       .maps = LightMapSet::pair,
-       .passes = {looked_up("path/lookup_2d.frag", {.batch_size = 4, .bring_fog = true})}},
-      {.name = "radial",
-       .description = "1 - r^2 / E^2 from a 2-D and a 1-D texture, spots from a cube map",
-       .source = std::string(kFrazier),
-       .surface = SurfaceModel::unshaded,
-       .range = RangeLaw::radial,
-       .evaluation = Evaluation::lookup,
-       .takes_airlight = true,
-       .has_light_bound = true,
-       .maps = LightMapSet::radial,
-       .passes = {looked_up("path/radial.frag", {.batch_size = 4})}},
-      {.name = "radial-plane",
-       .description = "the same from one 2-D texture: each plane rotated to z = 0, z^2 a constant",
-       .source = std::string(kFrazier),
-       .surface = SurfaceModel::unshaded,
-       .range = RangeLaw::radial,
-       .evaluation = Evaluation::lookup,
-       .takes_airlight = true,
-       .has_light_bound = true,
-       .maps = LightMapSet::radial,
-       .passes = {{.vertex = "path/radial_plane.vert",
-                   .geometry = "path/radial_plane.geom",
-                   .fragment = "path/radial_plane.frag",
-                   .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4}}}},
-      {.name = "accumulate",
-       .description = "lights added one by one over the ambient light, then multiplied by the base texture",
-       .source = std::string(kFrazier),
-       .surface = SurfaceModel::unshaded,
-       .range = RangeLaw::radial,
-       .evaluation = Evaluation::lookup,
-       .takes_airlight = true,
-       .has_light_bound = true,
-       .maps = LightMapSet::radial,
-       .passes = accumulated_with_texture()},
+      by_maps("lookup-3d", "range from a 3-D texture, angle from a cube map whose +x face spans the cone", kHales,
+              LightMapSet::volume, {looked_up("path/lookup_3d.frag", {.batch_size = 4, .bring_fog = true})}),
+      by_maps("lookup-2d", "range from two 2-D textures, angle from the same cube map", kHales, LightMapSet::pair,
+              {looked_up("path/lookup_2d.frag", {.batch_size = 4, .bring_fog = true})}),
+      by_maps("radial", "1 - r^2 / E^2 from a 2-D and a 1-D texture, spots from a cube map", kFrazier,
+              LightMapSet::radial, {looked_up("path/radial.frag", {.batch_size = 4})}),
+      by_maps("radial-plane", "the same from one 2-D texture: each plane rotated to z = 0, z^2 a constant", kFrazier,
+              LightMapSet::radial,
+              {{.vertex = "path/radial_plane.vert",
+                .geometry = "path/radial_plane.geom",
+                .fragment = "path/radial_plane.frag",
+                .lights = {.kind = LightFeed::Kind::batches, .batch_size = 4}}}),
+      by_maps("accumulate", "lights added one by one over the ambient light, then multiplied by the base texture",
+              kFrazier, LightMapSet::radial, accumulated_with_texture()),
       {.name = "vertex",
        .description = "the Basic model at the vertices, any number of lights",
        .source = of(kCgTutorial, "section 5.2; ") + of(kLacroix, "listing 1.1"),
@@ -169,13 +162,8 @@ std::vector<LightingPath> make_programs() {
        .takes_airlight = true,
        .takes_scattered_light = true,
        .passes = {per_fragment("path/interpolated.frag")}},
-      {.name = "nested",
-       .description = "unified, its lights in nested ifs that end at the first one whose flag is off",
-       .source = of(kLacroix, "listings 3.1 and 3.2"),
-       .has_normal_maps = true,
-       .takes_airlight = true,
-       .takes_scattered_light = true,
-       .passes = {per_fragment("path/nested.frag", {.has_flags = true})}},
+      like_unified("nested", "unified, its lights in nested ifs that end at the first one whose flag is off",
+                   of(kLacroix, "listings 3.1 and 3.2"), per_fragment("path/nested.frag", {.has_flags = true}), true),
       {.name = "lacroix",
        .description = "attenuation and N.L as printed, neither clamped nor cut; matt surfaces",
        .source = of(kLacroix, "equations 1 to 4, listings 2.1 and 2.2"),
@@ -183,36 +171,18 @@ std::vector<LightingPath> make_programs() {
        .range = RangeLaw::unbounded,
        .has_reference = false,
        .passes = {per_fragment("path/lacroix.frag")}},
-      {.name = "parallax",
-       .description = "unified, its textures shifted by their heights",
-       .source = of(kLacroix, "\"Per-pixel normal map based lighting\""),
-       .has_normal_maps = true,
-       .takes_airlight = true,
-       .takes_scattered_light = true,
-       .has_reference = false,
-       .passes = {per_fragment("path/parallax.frag")}},
+      like_unified("parallax", "unified, its textures shifted by their heights",
+                   of(kLacroix, "\"Per-pixel normal map based lighting\""), per_fragment("path/parallax.frag"), false),
       {.name = "cg",
        .description = "attenuation as printed, neither clamped nor cut; hard, linear or smooth spots",
        .source = of(kCgTutorial, "examples 5-3 to 5-10"),
        .range = RangeLaw::unbounded,
        .has_reference = false,
        .passes = {per_fragment("path/cg.frag")}},
-      {.name = "cook-torrance",
-       .description = "unified, its metals by facets",
-       .source = of(kCgTutorial, "chapter 5, further reading"),
-       .has_normal_maps = true,
-       .takes_airlight = true,
-       .takes_scattered_light = true,
-       .has_reference = false,
-       .passes = {per_fragment("path/cook_torrance.frag")}},
-      {.name = "anisotropic",
-       .description = "unified, its metals brushed",
-       .source = of(kCgTutorial, "chapter 5, exercise 7"),
-       .has_normal_maps = true,
-       .takes_airlight = true,
-       .takes_scattered_light = true,
-       .has_reference = false,
-       .passes = {per_fragment("path/anisotropic.frag")}},
+      like_unified("cook-torrance", "unified, its metals by facets", of(kCgTutorial, "chapter 5, further reading"),
+                   per_fragment("path/cook_torrance.frag"), false),
+      like_unified("anisotropic", "unified, its metals brushed", of(kCgTutorial, "chapter 5, exercise 7"),
+                   per_fragment("path/anisotropic.frag"), false),
   };
 }
 
@@ -239,14 +209,9 @@ const LightingPath& light_count_path() {
 }
 
 const LightingPath& object_space_path() {
-  static const LightingPath kPath{.name = "object-space",
-                                  .description = "unified, its normal maps in the space of their models",
-                                  .source = of(kLacroix, "\"Per-pixel normal map based lighting\""),
-                                  .has_normal_maps = true,
-                                  .takes_airlight = true,
-                                  .takes_scattered_light = true,
-                                  .has_reference = false,
-                                  .passes = {per_fragment("path/object_space.frag")}};
+  static const LightingPath kPath = like_unified(
+      "object-space", "unified, its normal maps in the space of their models",
+      of(kLacroix, "\"Per-pixel normal map based lighting\""), per_fragment("path/object_space.frag"), false);
   return kPath;
 }
 
