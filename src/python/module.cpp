@@ -2,7 +2,6 @@
 #include "python/module.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -12,7 +11,6 @@
 #include <span>
 #include <string>
 #include <tuple>
-#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -467,10 +465,8 @@ void bind_lights(py::module_& m) {
   m.attr("CONTRAST_FLIGHTGEAR") = kContrastFlightgear;
   m.attr("DEFAULT_THRESHOLD") = kDefaultThreshold;
 
-  py::class_<Fog> fog(m, "Fog", "Homogeneous fog. density: 1/m, >= 0; 0 is clear air, infinity total fog.");
-  fog.def(py::init<FogMode, double>(), py::arg("mode") = FogMode::exp, py::arg("density") = 0.)
-      .def_readwrite("mode", &Fog::mode, "FogMode")
-      .def_readwrite("density", &Fog::density, "1/m, >= 0")
+  bind_record<Fog>(m, "Fog", "Homogeneous fog. density: 1/m, >= 0; 0 is clear air, infinity total fog.",
+                   field("mode", &Fog::mode, "FogMode"), field("density", &Fog::density, "1/m, >= 0"))
       .def_static("from_visibility", &Fog::from_visibility, py::arg("mode"), py::arg("metres"),
                   py::arg("contrast") = kContrastMor,
                   "The fog of a visibility: metres >= 0, infinity is no fog; contrast in (0, 1) is what is left of a\n"
@@ -484,42 +480,22 @@ void bind_lights(py::module_& m) {
           py::arg("illuminance_threshold") = RunwayLights{}.illuminance_threshold,
           "The fog of a runway visual range, at which lamps of these candela reach the threshold in lux, or markings\n"
           "that of their contrast: at night, 550 m is a visibility of 155 m. ValueError with field, value and rule.");
-  make_record(fog, {"mode", "density"});
-  py::class_<PhaseLobe> lobe(m, "PhaseLobe", "A lobe of a phase function, Draine's.");
-  lobe.def(py::init([](double asymmetry, double alpha) {
-             return PhaseLobe{asymmetry, alpha};
-           }),
-           py::arg("asymmetry") = 0., py::arg("alpha") = 0.)
-      .def_readwrite("asymmetry", &PhaseLobe::asymmetry, "g, (-1, 1); > 0 forward")
-      .def_readwrite("alpha", &PhaseLobe::alpha, "[0, 1e6]; 0 is Henyey and Greenstein's function");
-  make_record(lobe, {"asymmetry", "alpha"});
-  py::class_<Phase> phase(m, "Phase", "A phase function of two lobes; by default isotropic.");
-  phase
-      .def(py::init([](const PhaseLobe& first, const PhaseLobe& second, double weight) {
-             return Phase{first, second, weight};
-           }),
-           py::arg("first") = PhaseLobe{}, py::arg("second") = PhaseLobe{}, py::arg("weight") = 1.)
-      .def_readwrite("first", &Phase::first, "PhaseLobe")
-      .def_readwrite("second", &Phase::second, "PhaseLobe")
-      .def_readwrite("weight", &Phase::weight, "[0, 1], of the first lobe; the second has the rest")
+  bind_record<PhaseLobe>(m, "PhaseLobe", "A lobe of a phase function, Draine's.",
+                         field("asymmetry", &PhaseLobe::asymmetry, "g, (-1, 1); > 0 forward"),
+                         field("alpha", &PhaseLobe::alpha, "[0, 1e6]; 0 is Henyey and Greenstein's function"));
+  bind_record<Phase>(m, "Phase", "A phase function of two lobes; by default isotropic.",
+                     field("first", &Phase::first, "PhaseLobe"), field("second", &Phase::second, "PhaseLobe"),
+                     field("weight", &Phase::weight, "[0, 1], of the first lobe; the second has the rest"))
       .def_static("henyey_greenstein", &Phase::henyey_greenstein, py::arg("asymmetry"), "One lobe, g in (-1, 1).")
       .def_static("droplets", &Phase::droplets, py::arg("micrometres"),
                   "Fog of water droplets of a diameter, 5 to 50. ValueError with field, value and rule.");
-  make_record(phase, {"first", "second", "weight"});
-  py::class_<FogLayer> layer(m, "FogLayer",
-                             "A layer of fog, metres. Transition bands lie outside it, in which the density falls\n"
-                             "linearly to 0.");
-  layer
-      .def(py::init([](double base, double top, double transition, double visibility) {
-             return FogLayer{base, top, transition, visibility};
-           }),
-           py::arg("base") = FogLayer{}.base, py::arg("top") = FogLayer{}.top, py::arg("transition") = 0.,
-           py::arg("visibility") = FogLayer{}.visibility)
-      .def_readwrite("base", &FogLayer::base, "metres; -infinity: it has no base")
-      .def_readwrite("top", &FogLayer::top, "metres, above the base; infinity: it has no top")
-      .def_readwrite("transition", &FogLayer::transition, "metres, finite, >= 0: height of each band")
-      .def_readwrite("visibility", &FogLayer::visibility, "metres, > 0; infinity is no fog");
-  make_record(layer, {"base", "top", "transition", "visibility"});
+  bind_record<FogLayer>(m, "FogLayer",
+                        "A layer of fog, metres. Transition bands lie outside it, in which the density falls\n"
+                        "linearly to 0.",
+                        field("base", &FogLayer::base, "metres; -infinity: it has no base"),
+                        field("top", &FogLayer::top, "metres, above the base; infinity: it has no top"),
+                        field("transition", &FogLayer::transition, "metres, finite, >= 0: height of each band"),
+                        field("visibility", &FogLayer::visibility, "metres, > 0; infinity is no fog"));
   using Knots = std::vector<std::pair<double, double>>;
   const auto profile_of = [](const Knots& pairs) {
     std::vector<DensityKnot> knots;
@@ -543,23 +519,13 @@ void bind_lights(py::module_& m) {
           py::arg("layers"), py::arg("contrast") = kContrastMor,
           "The profile of layers, which add up where they overlap. ValueError with field, value and rule.");
   make_record(density, {"knots"});
-  py::class_<Atmosphere> atmosphere(m, "Atmosphere",
-                                    "All that the air is. Its density at a height is the fog's plus the profile's.");
-  atmosphere
-      .def(py::init([](const Fog& air_fog, const Phase& air_phase, double albedo, double top,
-                       const glm::dvec3& ambient_fog_color, const DensityProfile& air_profile) {
-             return Atmosphere{air_fog, air_phase, albedo, top, ambient_fog_color, air_profile};
-           }),
-           py::arg("fog") = Fog{}, py::arg("phase") = Phase{}, py::arg("albedo") = Atmosphere{}.albedo,
-           py::arg("top") = Atmosphere{}.top, py::arg("ambient_fog_color") = glm::dvec3(0),
-           py::arg("profile") = DensityProfile{})
-      .def_readwrite("fog", &Atmosphere::fog, "Fog")
-      .def_readwrite("phase", &Atmosphere::phase, "Phase")
-      .def_readwrite("albedo", &Atmosphere::albedo,
-                     "[0, 1]: the fraction of the light taken by the fog that it scatters")
-      .def_readwrite("top", &Atmosphere::top, "metres: height at which rays to the sky leave the fog")
-      .def_readwrite("ambient_fog_color", &Atmosphere::ambient_fog_color, "linear RGB, finite, >= 0")
-      .def_readwrite("profile", &Atmosphere::profile, "DensityProfile: layers, in exp fog only")
+  bind_record<Atmosphere>(
+      m, "Atmosphere", "All that the air is. Its density at a height is the fog's plus the profile's.",
+      field("fog", &Atmosphere::fog, "Fog"), field("phase", &Atmosphere::phase, "Phase"),
+      field("albedo", &Atmosphere::albedo, "[0, 1]: the fraction of the light taken by the fog that it scatters"),
+      field("top", &Atmosphere::top, "metres: height at which rays to the sky leave the fog"),
+      field("ambient_fog_color", &Atmosphere::ambient_fog_color, "linear RGB, finite, >= 0"),
+      field("profile", &Atmosphere::profile, "DensityProfile: layers, in exp fog only"))
       .def(
           "fog_between",
           [](const Atmosphere& air, double height_a, double height_b) {
@@ -568,7 +534,6 @@ void bind_lights(py::module_& m) {
           py::arg("height_a"), py::arg("height_b"),
           "Uniform fog of the mean density between two heights: the fog factor of a straight line from one to the\n"
           "other is that in it. At equal heights it is the fog there.");
-  make_record(atmosphere, {"fog", "phase", "albedo", "top", "ambient_fog_color", "profile"});
   m.def(
       "density_from_visibility",
       [](FogMode mode, const py::object& metres, double contrast) {
@@ -604,19 +569,12 @@ void bind_lights(py::module_& m) {
       "The lux at the eye from which a lamp is seen before a background of these cd/m2, after ICAO; numbers or\n"
       "arrays.");
 
-  py::class_<Attenuation> attenuation(
+  bind_record<Attenuation>(
       m, "Attenuation",
       "Range attenuation a(r) = min(1, 1 / (constant + linear r + quadratic r^2)), r in metres. Each is finite and\n"
-      ">= 0, not all are 0.");
-  attenuation
-      .def(py::init([](double constant, double linear, double quadratic) {
-             return Attenuation{constant, linear, quadratic};
-           }),
-           py::arg("constant") = 1., py::arg("linear") = 0., py::arg("quadratic") = 0.)
-      .def_readwrite("constant", &Attenuation::constant, "dimensionless")
-      .def_readwrite("linear", &Attenuation::linear, "1/m")
-      .def_readwrite("quadratic", &Attenuation::quadratic, "1/m^2");
-  make_record(attenuation, {"constant", "linear", "quadratic"});
+      ">= 0, not all are 0.",
+      field("constant", &Attenuation::constant, "dimensionless"), field("linear", &Attenuation::linear, "1/m"),
+      field("quadratic", &Attenuation::quadratic, "1/m^2"));
 
   py::enum_<ConeProfile> profile(m, "ConeProfile", "How a light's intensity falls with the angle from its axis.");
   for (const ConeProfileFacts& facts : kConeProfiles) profile.value(facts.name, facts.profile, facts.meaning);
@@ -675,44 +633,27 @@ void bind_lights(py::module_& m) {
         py::arg("flash"), py::arg("seconds"),
         "The factor of the light's colour at times in [0, 1e9]; numbers or arrays.");
 
-  py::class_<Light> light(m, "Light", "A kind of light: what a light file holds.");
-  light
-      .def(py::init([](std::string name, const glm::dvec3& color, const Attenuation& falloff, double threshold,
-                       const Cone& shape, double density_scale, double source_radius, const Flash& flashing) {
-             return Light{std::move(name), color, falloff, threshold, shape, density_scale, source_radius, flashing};
-           }),
-           py::arg("name") = "", py::arg("color") = glm::dvec3(1), py::arg("attenuation") = Attenuation(),
-           py::arg("threshold") = kDefaultThreshold, py::arg("cone") = Cone(), py::arg("density_scale") = 1.,
-           py::arg("source_radius") = 0., py::arg("flash") = Flash())
-      .def_readwrite("name", &Light::name, "UTF-8")
-      .def_readwrite("color", &Light::color, "linear RGB, finite, >= 0; 1 is the display's white")
-      .def_readwrite("attenuation", &Light::attenuation, "Attenuation")
-      .def_readwrite("threshold", &Light::threshold, "(0, 1): attenuation at which the light ends")
-      .def_readwrite("cone", &Light::cone, "Cone")
-      .def_readwrite("density_scale", &Light::density_scale,
-                     "finite, >= 0: its class sees this fraction of the fog's density")
-      .def_readwrite("source_radius", &Light::source_radius,
-                     "metres: radius of the lamp's luminous disc for photometric(); 0: none is known")
-      .def_readwrite("flash", &Light::flash, "Flash: when the lamp is lit; only what takes a time reads it");
-  make_record(light, {"name", "color", "attenuation", "threshold", "cone", "density_scale", "source_radius", "flash"});
+  bind_record<Light>(
+      m, "Light", "A kind of light: what a light file holds.", field("name", &Light::name, "UTF-8"),
+      field("color", &Light::color, "linear RGB, finite, >= 0; 1 is the display's white"),
+      field("attenuation", &Light::attenuation, "Attenuation"),
+      field("threshold", &Light::threshold, "(0, 1): attenuation at which the light ends"),
+      field("cone", &Light::cone, "Cone"),
+      field("density_scale", &Light::density_scale, "finite, >= 0: its class sees this fraction of the fog's density"),
+      field("source_radius", &Light::source_radius,
+            "metres: radius of the lamp's luminous disc for photometric(); 0: none is known"),
+      field("flash", &Light::flash, "Flash: when the lamp is lit; only what takes a time reads it"));
   m.def("photometric", &photometric, py::arg("light"),
         "The light as it is near the lamp, a disc of its source radius, without the clamp of its range attenuation.");
   m.def("candela", &candela, py::arg("light"),
         "The light's far intensity on its axis in candela, a component a colour; infinite without a quadratic term.");
 
-  py::class_<PlacedLight> placed(m, "PlacedLight", "A light in a scene. World space, metres.");
-  placed
-      .def(py::init([](const Light& kind, const glm::dvec3& position, const glm::dvec3& direction, bool carried) {
-             return PlacedLight{kind, position, direction, carried};
-           }),
-           py::arg("light"), py::arg("position") = glm::dvec3(0), py::arg("direction") = glm::dvec3(0, 0, -1),
-           py::arg("carried") = false)
-      .def_readwrite("light", &PlacedLight::light, "Light")
-      .def_readwrite("position", &PlacedLight::position, "each coordinate at most 2^24 in magnitude")
-      .def_readwrite("direction", &PlacedLight::direction, "axis of the cone; its length is 1 within 1e-6")
-      .def_readwrite("carried", &PlacedLight::carried,
-                     "by the eye's vehicle: such lights, and only they, light the fog by Hales's term");
-  make_record(placed, {"light", "position", "direction", "carried"});
+  bind_record<PlacedLight>(m, "PlacedLight", "A light in a scene. World space, metres.",
+                           field<true>("light", &PlacedLight::light, "Light"),
+                           field("position", &PlacedLight::position, "each coordinate at most 2^24 in magnitude"),
+                           field("direction", &PlacedLight::direction, "axis of the cone; its length is 1 within 1e-6"),
+                           field("carried", &PlacedLight::carried,
+                                 "by the eye's vehicle: such lights, and only they, light the fog by Hales's term"));
 
   m.def("attenuation_at",
         over_numbers<Attenuation>("range",

@@ -55,6 +55,41 @@ namespace py = pybind11;
 /// this order.
 void make_record(const py::object& type, std::initializer_list<const char*> fields);
 
+/// A member of a struct as a field of its class; its constructor takes the struct's own default where none is required.
+template <bool kIsRequired, typename Struct, typename T>
+struct Field {
+  using Value = T;
+  const char* name;
+  T Struct::*member;
+  const char* meaning;
+  auto argument() const {
+    if constexpr (kIsRequired) {
+      return py::arg(name);
+    } else {
+      return py::arg(name) = Struct{}.*member;
+    }
+  }
+};
+template <bool kIsRequired = false, typename Struct, typename T>
+Field<kIsRequired, Struct, T> field(const char* name, T Struct::*member, const char* meaning) {
+  return {name, member, meaning};
+}
+
+/// A class of a struct that is a record of these fields.
+template <typename Struct, typename... Fields>
+py::class_<Struct> bind_record(py::module_& m, const char* name, const char* meaning, const Fields&... fields) {
+  py::class_<Struct> type(m, name, meaning);
+  const auto make = [fields...](const typename Fields::Value&... values) {
+    Struct made{};
+    ((made.*fields.member = values), ...);
+    return made;
+  };
+  type.def(py::init(make), fields.argument()...);
+  (type.def_readwrite(fields.name, fields.member, fields.meaning), ...);
+  make_record(type, {fields.name...});
+  return type;
+}
+
 /// Lets a class be pickled. Its constructor takes the fields in this order.
 void make_picklable(const py::object& type, std::initializer_list<const char*> fields);
 
