@@ -240,11 +240,7 @@ Job add_gallery_job(CLI::App& app) {
       "Example:\n  litfog-demo gallery room headlights --size 640x360 -o out");
   add_scenes_and_folder(app, *options);
   drawing::add_fog(app, options->drawing);
-  drawing::add_path(app, options->drawing);
-  drawing::add_fog_light(app, options->drawing);
-  drawing::add_shadows(app, options->drawing);
-  drawing::add_display(app, options->drawing.display);
-  drawing::add_rendering(app, options->drawing);
+  drawing::add_drawing(app, options->drawing);
   return [&app, options] {
     const drawing::DrawingOptions& drawing = options->drawing;
     check_options(app, drawing::drawing_rules(drawing));
@@ -321,12 +317,8 @@ Job add_comparison_job(CLI::App& app) {
   drawing::add_changes(app, options->scene);
   drawing::add_time(app, options->drawing);
   drawing::add_view(app, options->scene);
-  drawing::add_path(app, options->drawing);
   drawing::add_fog_and_visibility(app, options->drawing);
-  drawing::add_fog_light(app, options->drawing);
-  drawing::add_shadows(app, options->drawing);
-  drawing::add_display(app, options->drawing.display);
-  drawing::add_rendering(app, options->drawing);
+  drawing::add_drawing(app, options->drawing);
   return [&app, options] {
     return options->settings.empty() ? compare_by_paths(app, *options) : compare_by_settings(app, *options);
   };
@@ -355,11 +347,7 @@ Job add_sequence_job(CLI::App& app) {
   add_sequence(app, options->sequence);
   drawing::add_fog(app, options->drawing);
   add_contrast(app, options->drawing.contrast);
-  drawing::add_path(app, options->drawing);
-  drawing::add_fog_light(app, options->drawing);
-  drawing::add_shadows(app, options->drawing);
-  drawing::add_display(app, options->drawing.display);
-  drawing::add_rendering(app, options->drawing);
+  drawing::add_drawing(app, options->drawing);
   return [&app, options] {
     const drawing::DrawingOptions& drawing = options->drawing;
     if (app.count("--film") > 0 && !is_film_path(options->sequence.film)) {

@@ -183,12 +183,6 @@ bool is_hales_lookup(const render::LightingPath& path) {
   return path.evaluation == render::Evaluation::lookup && path.surface == render::SurfaceModel::diffuse;
 }
 
-void add_path(CLI::App& app, DrawingOptions& options) {
-  app.option_defaults()->group("Light");
-  command::add_choice(app, "--path", options.render.path, path_names(),
-                      "Lighting path: see `litfog-demo list paths` (default unified)");
-}
-
 void add_size(CLI::App& app, DrawingOptions& options) {
   const std::string description = fmt::format("Pixels (default {}x{})", options.width, options.height);
   app.add_option_function<std::string>(
@@ -196,7 +190,32 @@ void add_size(CLI::App& app, DrawingOptions& options) {
       ->type_name("WxH");
 }
 
-void add_rendering(CLI::App& app, DrawingOptions& options) {
+void add_drawing(CLI::App& app, DrawingOptions& options) {
+  app.option_defaults()->group("Light");
+  command::add_choice(app, "--path", options.render.path, path_names(),
+                      "Lighting path: see `litfog-demo list paths` (default unified)");
+  command::add_choice(
+      app, "--fog-light", options.fog_light, kFogLights,
+      "How lamps light the fog: peak is the papers' way, in which only carried lights do; airlight is that of every "
+      "lamp along each ray (default airlight with --path unified, else peak)");
+  command::add_choice(
+      app, "--scattering", options.scattering, kScatterings,
+      "With airlight: whether the fog sends to the eye what it scatters once, or also what it scatters more often, "
+      "which "
+      "is most of it beyond one visibility (default all in exp fog of albedo 1 that is isotropic, hg:G with G in [0, "
+      "0.95] or of droplets, else single)");
+  command::add_choice(
+      app, "--shadows", options.render.shadows, kShadows,
+      "What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight, which errs by up "
+      "to 2.5 steps of 1/255 at the edges of shafts (default none)");
+  command::add_integer(
+      app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
+      "With --shadows: at most this many lamps cast them, the carried ones first, then the brightest at "
+      "the camera (default 8)");
+  command::add_integer(app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
+                       "With --shadows: edge of a shadow map in texels; a lamp has one, or up to six if it shines all "
+                       "around, the moon four (default 1024)");
+  add_display(app, options.display);
   app.option_defaults()->group("Pixels");
   add_size(app, options);
   command::add_choice(app, "--samples", options.render.samples, kSamples,
@@ -220,35 +239,6 @@ void add_rendering(CLI::App& app, DrawingOptions& options) {
       "Cube maps of paths with light maps: scaled spans one face by each cone below 90 degrees, as the papers do; even "
       "spreads cones wider than 60 degrees over all faces; one-disc is Frazier's one map for every cone (default "
       "scaled)");
-}
-
-void add_fog_light(CLI::App& app, DrawingOptions& options) {
-  app.option_defaults()->group("Light");
-  command::add_choice(
-      app, "--fog-light", options.fog_light, kFogLights,
-      "How lamps light the fog: peak is the papers' way, in which only carried lights do; airlight is that of every "
-      "lamp along each ray (default airlight with --path unified, else peak)");
-  command::add_choice(
-      app, "--scattering", options.scattering, kScatterings,
-      "With airlight: whether the fog sends to the eye what it scatters once, or also what it scatters more often, "
-      "which "
-      "is most of it beyond one visibility (default all in exp fog of albedo 1 that is isotropic, hg:G with G in [0, "
-      "0.95] or of droplets, else single)");
-}
-
-void add_shadows(CLI::App& app, DrawingOptions& options) {
-  app.option_defaults()->group("Light");
-  command::add_choice(
-      app, "--shadows", options.render.shadows, kShadows,
-      "What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight, which errs by up "
-      "to 2.5 steps of 1/255 at the edges of shafts (default none)");
-  command::add_integer(
-      app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
-      "With --shadows: at most this many lamps cast them, the carried ones first, then the brightest at "
-      "the camera (default 8)");
-  command::add_integer(app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
-                       "With --shadows: edge of a shadow map in texels; a lamp has one, or up to six if it shines all "
-                       "around, the moon four (default 1024)");
 }
 
 void add_time(CLI::App& app, DrawingOptions& options) {

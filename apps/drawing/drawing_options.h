@@ -87,14 +87,10 @@ void add_fog(CLI::App& app, DrawingOptions& options);
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
 /// Whether a path is lookup-3d or lookup-2d, to which --flat-shading and --light-ambient belong.
 bool is_hales_lookup(const render::LightingPath& path);
-void add_path(CLI::App& app, DrawingOptions& options);
+/// --path, --fog-light and what else is asked of light, add_display(), --size and what else is asked of pixels, and a
+/// group of what only re-enacts papers.
+void add_drawing(CLI::App& app, DrawingOptions& options);
 void add_size(CLI::App& app, DrawingOptions& options);
-/// --size, --samples, --no-skip, and a group of what only re-enacts papers.
-void add_rendering(CLI::App& app, DrawingOptions& options);
-/// --fog-light and --scattering, for a job over one path or all.
-void add_fog_light(CLI::App& app, DrawingOptions& options);
-/// --shadows, --shadow-lamps and --shadow-map-size, for a job over one path or all.
-void add_shadows(CLI::App& app, DrawingOptions& options);
 void add_time(CLI::App& app, DrawingOptions& options);
 
 /// The rules of --fog none and --shadows, all rules there are for a job over every path.

@@ -12,11 +12,7 @@ void add_picture_options(CLI::App& app, SceneOptions& scene, DrawingOptions& dra
   add_time(app, drawing);
   add_view(app, scene);
   add_fog_and_visibility(app, drawing);
-  add_path(app, drawing);
-  add_fog_light(app, drawing);
-  add_shadows(app, drawing);
-  add_display(app, drawing.display);
-  add_rendering(app, drawing);
+  add_drawing(app, drawing);
 }
 
 void check_scene_options(const CLI::App& app, const scene::Scene& scene) {
