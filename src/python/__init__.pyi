@@ -4,7 +4,7 @@ import enum
 import os
 import pathlib
 from collections.abc import Sequence
-from typing import Any, Literal, overload
+from typing import Any, Final, Literal, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -208,14 +208,10 @@ class PlacedLight:
 
 class FogIntensity:
     def __init__(self, intensity: float, peak_range: float, extent: float, status: SolveStatus) -> None: ...
-    @property
-    def intensity(self) -> float: ...
-    @property
-    def peak_range(self) -> float: ...
-    @property
-    def extent(self) -> float: ...
-    @property
-    def status(self) -> SolveStatus: ...
+    intensity: Final[float]
+    peak_range: Final[float]
+    extent: Final[float]
+    status: Final[SolveStatus]
 
 class BatchSolutions:
     """Of the results of a solve without `out`, every column is an array."""
@@ -241,20 +237,14 @@ class BatchSolutions:
 class FogLightHandle: ...
 
 class FogLightChanges:
-    @property
-    def kinds(self) -> list[slice]: ...
-    @property
-    def instances(self) -> list[slice]: ...
+    kinds: Final[list[slice]]
+    instances: Final[list[slice]]
 
 class FogUpdateStatistics:
-    @property
-    def kinds_solved(self) -> int: ...
-    @property
-    def kinds_skipped(self) -> int: ...
-    @property
-    def lights_skipped(self) -> int: ...
-    @property
-    def bytes_dirty(self) -> int: ...
+    kinds_solved: Final[int]
+    kinds_skipped: Final[int]
+    lights_skipped: Final[int]
+    bytes_dirty: Final[int]
 
 class FogUpdater:
     def __init__(self, skip_budget_255: float = 0.5) -> None: ...
@@ -274,92 +264,56 @@ class FogUpdater:
     def statistics(self) -> FogUpdateStatistics: ...
 
 class IntensityDistribution:
-    @property
-    def type(self) -> PhotometryType: ...
-    @property
-    def horizontal(self) -> NDArray[np.float64]: ...
-    @property
-    def vertical(self) -> NDArray[np.float64]: ...
-    @property
-    def intensity(self) -> NDArray[np.float64]: ...
+    type: Final[PhotometryType]
+    horizontal: Final[NDArray[np.float64]]
+    vertical: Final[NDArray[np.float64]]
+    intensity: Final[NDArray[np.float64]]
 
 class IntensityPeak:
-    @property
-    def intensity(self) -> float: ...
-    @property
-    def direction(self) -> tuple[float, float, float]: ...
+    intensity: Final[float]
+    direction: Final[tuple[float, float, float]]
 
 class Luminaire:
-    @property
-    def name(self) -> str: ...
-    @property
-    def manufacturer(self) -> str: ...
-    @property
-    def distribution(self) -> IntensityDistribution: ...
-    @property
-    def lamp_flux(self) -> float | None: ...
-    @property
-    def light_output_ratio(self) -> float | None: ...
-    @property
-    def is_absolute(self) -> bool: ...
+    name: Final[str]
+    manufacturer: Final[str]
+    distribution: Final[IntensityDistribution]
+    lamp_flux: Final[float | None]
+    light_output_ratio: Final[float | None]
+    is_absolute: Final[bool]
 
 class GldfContainer:
     def __init__(self, path: _Path) -> None: ...
-    @property
-    def files(self) -> list[str]: ...
+    files: Final[list[str]]
     def read(self, file: str) -> Luminaire: ...
 
 class AttenuationFit:
-    @property
-    def attenuation(self) -> Attenuation: ...
-    @property
-    def threshold(self) -> float: ...
-    @property
-    def status(self) -> AttenuationFitStatus: ...
-    @property
-    def sentence(self) -> str: ...
-    @property
-    def objective(self) -> float: ...
-    @property
-    def rms_error(self) -> float: ...
-    @property
-    def largest_error(self) -> float: ...
-    @property
-    def residuals(self) -> NDArray[np.float64]: ...
-    @property
-    def covariance(self) -> NDArray[np.float64] | None: ...
-    @property
-    def kkt_residual(self) -> float: ...
+    attenuation: Final[Attenuation]
+    threshold: Final[float]
+    status: Final[AttenuationFitStatus]
+    sentence: Final[str]
+    objective: Final[float]
+    rms_error: Final[float]
+    largest_error: Final[float]
+    residuals: Final[NDArray[np.float64]]
+    covariance: Final[NDArray[np.float64] | None]
+    kkt_residual: Final[float]
 
 class ConeProfileFit:
-    @property
-    def cone(self) -> Cone: ...
-    @property
-    def status(self) -> ConeFitStatus: ...
-    @property
-    def objective(self) -> float: ...
-    @property
-    def lower_bound(self) -> float: ...
-    @property
-    def rms(self) -> float: ...
-    @property
-    def largest_error(self) -> float: ...
-    @property
-    def flux_error(self) -> float | None: ...
-    @property
-    def beam_angle_error(self) -> float | None: ...
-    @property
-    def field_angle_error(self) -> float | None: ...
-    @property
-    def covariance(self) -> NDArray[np.float64] | None: ...
+    cone: Final[Cone]
+    status: Final[ConeFitStatus]
+    objective: Final[float]
+    lower_bound: Final[float]
+    rms: Final[float]
+    largest_error: Final[float]
+    flux_error: Final[float | None]
+    beam_angle_error: Final[float | None]
+    field_angle_error: Final[float | None]
+    covariance: Final[NDArray[np.float64] | None]
 
 class ConeFit:
-    @property
-    def profiles(self) -> list[ConeProfileFit]: ...
-    @property
-    def best_index(self) -> int: ...
-    @property
-    def best(self) -> ConeProfileFit: ...
+    profiles: Final[list[ConeProfileFit]]
+    best_index: Final[int]
+    best: Final[ConeProfileFit]
 
 def density_from_visibility(mode: _FogMode, metres: ArrayLike, contrast: float = ...) -> Any: ...
 def runway_visual_range(fog: Fog, candela: ArrayLike = 10000.0, illuminance_threshold: ArrayLike = 8e-07) -> Any: ...
