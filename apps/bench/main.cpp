@@ -8,6 +8,8 @@
 #include <cstdio>
 #include <optional>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "bench/airlight_benchmark.h"
 #include "bench/city_benchmark.h"
@@ -37,21 +39,6 @@ namespace {
 
 using namespace litfog::bench;
 using namespace litfog::command;
-
-constexpr const char* kDescription = R"(Measures litfog and its rivals: time beside error, in the same run.
-
-  litfog-bench solve     time against error of every method for a light's fog colour intensity
-  litfog-bench airlight  time against error of every method for a light's airlight along a ray
-  litfog-bench lamps     peak and airlight of four lamps over visibility, beside the reference
-  litfog-bench scattering table of the light that fog scatters twice and more often from a point lamp
-  litfog-bench glow      the glow around a point lamp over angle: scattered once, all orders, and by a random walk
-  litfog-bench update    time to follow a visibility step by step over a million lights
-  litfog-bench fit       time and quality of fits of an attenuation to a falloff table
-  litfog-bench render    frame time and error of every lighting path, over scenes, lights and sizes
-  litfog-bench rejection frame time and fragments shaded by each way to reject hidden fragments early
-  litfog-bench maps      memory and error of Hales's light maps over their size
-  litfog-bench city      cluster lists and frames of a city with 100 to 100,000 lights, at four visibilities
-)";
 
 constexpr const char* kExplanation =
     R"(solve: per light, over a mix of 4,096 lights: extent 5 to 5,000 m and visibility 50 to 10,000 m log-uniform;
@@ -131,10 +118,53 @@ Examples:
 Exit status: 0 done; 1 wrong command line; 3 a Debug build, no OpenGL, or --plot without gnuplot; 4 output cannot be
 written; 5 an error larger than litfog states for itself was found (the results are still written).)";
 
-enum class Benchmark { solve, airlight, lamps, scattering, glow, update, fit, render, rejection, maps, city };
+Result fit([[maybe_unused]] bool quick) {
+#ifdef LITFOG_HAS_FIT
+  return measure_fit(quick);
+#else
+  throw MissingCapability("this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON");
+#endif
+}
+
+template <Result (*kMeasure)(bool)>
+Result draw([[maybe_unused]] bool quick) {
+#ifdef LITFOG_HAS_GL
+  try {
+    return kMeasure(quick);
+  } catch (const litfog::gl::Unsupported& missing) {
+    throw MissingCapability(missing.what());
+  }
+#else
+  throw MissingCapability("this build has no litfog::gl; configure with -DLITFOG_BUILD_GL=ON");
+#endif
+}
+
+struct Benchmark {
+  std::string name;
+  const char* meaning;
+  Result (*measure)(bool quick);
+  bool has_batches = false;
+  bool has_figure = false;
+};
+const std::vector<Benchmark> kBenchmarks{
+    {"solve", "time against error of every method for a light's fog colour intensity", measure_solve, true, true},
+    {"airlight", "time against error of every method for a light's airlight along a ray", measure_airlight, true, true},
+    {"lamps", "peak and airlight of four lamps over visibility, beside the reference", measure_lamps, false, true},
+    {"scattering", "table of the light that fog scatters twice and more often from a point lamp", tabulate_scattering},
+    {"glow", "the glow around a point lamp over angle: scattered once, all orders, and by a random walk", draw_glow,
+     false, true},
+    {"update", "time to follow a visibility step by step over a million lights", measure_update, true},
+    {"fit", "time and quality of fits of an attenuation to a falloff table", fit},
+    {"render", "frame time and error of every lighting path, over scenes, lights and sizes", draw<measure_render>,
+     false, true},
+    {"rejection", "frame time and fragments shaded by each way to reject hidden fragments early",
+     draw<measure_rejection>},
+    {"maps", "memory and error of Hales's light maps over their size", draw<measure_maps>},
+    {"city", "cluster lists and frames of a city with 100 to 100,000 lights, at four visibilities", draw<measure_city>,
+     true}};
 
 struct Options {
-  Benchmark benchmark = Benchmark::solve;
+  const Benchmark* benchmark = nullptr;
   std::optional<std::string> json_file;
   std::optional<std::string> csv_file;
   std::optional<std::string> plot_file;
@@ -177,45 +207,6 @@ std::string text_of(const Result& result, TableFormat format) {
   return format_table(result.table, TableFormat::text);
 }
 
-Result measure(const Options& options) {
-  switch (options.benchmark) {
-    case Benchmark::airlight:
-      return measure_airlight(options.quick);
-    case Benchmark::lamps:
-      return measure_lamps(options.quick);
-    case Benchmark::scattering:
-      return tabulate_scattering(options.quick);
-    case Benchmark::glow:
-      return draw_glow(options.quick);
-    case Benchmark::update:
-      return measure_update(options.quick);
-    case Benchmark::fit:
-#ifdef LITFOG_HAS_FIT
-      return measure_fit(options.quick);
-#else
-      throw MissingCapability("this build has no litfog::fit; configure with -DLITFOG_BUILD_FIT=ON");
-#endif
-    case Benchmark::render:
-    case Benchmark::rejection:
-    case Benchmark::maps:
-    case Benchmark::city:
-#ifdef LITFOG_HAS_GL
-      try {
-        if (options.benchmark == Benchmark::maps) return measure_maps(options.quick);
-        if (options.benchmark == Benchmark::rejection) return measure_rejection(options.quick);
-        return options.benchmark == Benchmark::city ? measure_city(options.quick) : measure_render(options.quick);
-      } catch (const litfog::gl::Unsupported& missing) {
-        throw MissingCapability(missing.what());
-      }
-#else
-      throw MissingCapability("this build has no litfog::gl; configure with -DLITFOG_BUILD_GL=ON");
-#endif
-    case Benchmark::solve:
-      break;
-  }
-  return measure_solve(options.quick);
-}
-
 ExitStatus run(const Options& options) {
   if (!is_measurable_build()) {
     throw MissingCapability("a Debug build is not measured; configure with -DCMAKE_BUILD_TYPE=Release");
@@ -248,7 +239,7 @@ ExitStatus run(const Options& options) {
     limit_simd_target(options.isa);
   }
 
-  const Result result = measure(options);
+  const Result result = options.benchmark->measure(options.quick);
   write_standard_output(text_of(result, options.format));
   if (options.csv_file) litfog::files::write_whole_file(*options.csv_file, csv_of(result));
   if (options.json_file) litfog::files::write_whole_file(*options.json_file, json_of(result));
@@ -265,22 +256,15 @@ ExitStatus run(const Options& options) {
 int main(int argc, char** argv) {
   expect_uncaught();
   Options options;
-  CLI::App app{kDescription, "litfog-bench"};
+  std::string description = "Measures litfog and its rivals: time beside error, in the same run.\n\n";
+  std::vector<std::pair<std::string, const Benchmark*>> choices;
+  for (const Benchmark& each : kBenchmarks) {
+    description += fmt::format("  litfog-bench {:<10} {}\n", each.name, each.meaning);
+    choices.emplace_back(each.name, &each);
+  }
+  CLI::App app{description, "litfog-bench"};
   app.footer(kExplanation);
-  add_choice<Benchmark>(app, "benchmark", options.benchmark,
-                        {{"solve", Benchmark::solve},
-                         {"airlight", Benchmark::airlight},
-                         {"lamps", Benchmark::lamps},
-                         {"scattering", Benchmark::scattering},
-                         {"glow", Benchmark::glow},
-                         {"update", Benchmark::update},
-                         {"fit", Benchmark::fit},
-                         {"render", Benchmark::render},
-                         {"rejection", Benchmark::rejection},
-                         {"maps", Benchmark::maps},
-                         {"city", Benchmark::city}},
-                        "What to measure")
-      ->required();
+  add_choice(app, "benchmark", options.benchmark, choices, "What to measure")->required();
   app.add_option("--json", options.json_file, "Write machine and rows as JSON")->type_name("FILE");
   app.add_option("--csv", options.csv_file, "Write the rows as CSV, the machine in each")->type_name("FILE");
   app.add_option("--plot", options.plot_file,
@@ -297,15 +281,10 @@ int main(int argc, char** argv) {
                           "Format on standard output, table if not given");
   app.add_flag("--quick", options.quick, "Fewer lights or tables and shorter runs, to see that it works");
   return run_command(app, argc, argv, [&] {
-    const std::string benchmark = app["benchmark"]->as<std::string>();
-    const bool has_batches = options.benchmark == Benchmark::solve || options.benchmark == Benchmark::airlight ||
-                             options.benchmark == Benchmark::update || options.benchmark == Benchmark::city;
-    const bool has_figure = options.benchmark == Benchmark::solve || options.benchmark == Benchmark::airlight ||
-                            options.benchmark == Benchmark::lamps || options.benchmark == Benchmark::glow ||
-                            options.benchmark == Benchmark::render;
-    check_options(app, {{benchmark, !has_batches, {"--isa"}, "it has no batches"},
-                        {benchmark, !has_figure, {"--plot"}, "it has no figure"},
-                        {benchmark, options.benchmark != Benchmark::glow, {"--strip"}, "it has no strip"}});
+    const Benchmark& benchmark = *options.benchmark;
+    check_options(app, {{benchmark.name, !benchmark.has_batches, {"--isa"}, "it has no batches"},
+                        {benchmark.name, !benchmark.has_figure, {"--plot"}, "it has no figure"},
+                        {benchmark.name, benchmark.measure != draw_glow, {"--strip"}, "it has no strip"}});
     return run(options);
   });
 }
