@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
 
 #include "command/bundled_data.h"
 #include "litfog/airlight.h"

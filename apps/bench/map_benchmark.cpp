@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "bench/map_benchmark.h"
 
-#include <string>
 #include <vector>
 
 #include "litfog/gl/headless_context.h"

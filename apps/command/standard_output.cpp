@@ -3,7 +3,6 @@
 
 #include <cerrno>
 #include <cstdio>
-#include <string>
 
 #include "command/printable.h"
 #include "command/progress.h"

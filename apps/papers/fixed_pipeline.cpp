@@ -8,10 +8,8 @@
 #include <cstddef>
 #include <glm/gtc/type_ptr.hpp>
 #include <map>
-#include <memory>
 #include <numbers>
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "litfog/cone.h"

@@ -2,7 +2,6 @@
 #include "papers/paper_programs.h"
 
 #include <array>
-#include <string>
 
 #include "papers/paper_shaders.h"
 

@@ -8,7 +8,6 @@
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <vector>
 
 #include "litfog/fog_light_block.h"
 #include "litfog/gl/check_errors.h"

@@ -28,7 +28,6 @@
 #include "litfog/solve.h"
 #include "text/csv.h"
 #include "text/file_text.h"
-#include "text/system_reason.h"
 
 using namespace litfog::command;
 

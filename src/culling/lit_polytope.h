@@ -7,7 +7,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <numbers>
-#include <span>
 #include <utility>
 
 #include "litfog/light_bounds.h"

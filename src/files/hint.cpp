@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <numeric>
-#include <optional>
 
 #include "model/float_limit.h"
 #include "text/ascii_text.h"

@@ -2,10 +2,8 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <cstddef>
 #include <limits>
-#include <optional>
 #include <queue>
 
 // Best-first branch and bound (Land and Doig 1960, "An automatic method of solving discrete programming problems"),

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/photometry/cookie_airlight.h"
 
-#include <array>
 #include <cmath>
-#include <vector>
 
 #include "airlight/airlight_quadrature.h"
 #include "airlight/airlight_text.h"

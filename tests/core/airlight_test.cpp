@@ -13,7 +13,6 @@
 #include <boost/math/special_functions/expint.hpp>
 #include <cmath>
 #include <cstdio>
-#include <functional>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <numbers>

@@ -4,11 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
-#include <cmath>
 
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
-#include "value_errors.h"
 
 namespace litfog::test {
 namespace {

@@ -11,7 +11,6 @@
 #include <cstdint>
 #include <cstdio>
 #include <numbers>
-#include <span>
 #include <thread>
 #include <vector>
 

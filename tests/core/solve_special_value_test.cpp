@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <limits>
 #include <optional>
-#include <string>
 
 #include "core/value_errors.h"
 #include "litfog/solve.h"

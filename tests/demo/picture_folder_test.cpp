@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "drawing/picture_folder.h"
 
-#include "drawing/picture_file.h"
-
 #include <gtest/gtest.h>
 
 #include <CLI/Error.hpp>

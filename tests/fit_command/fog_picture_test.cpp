@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdint>
 #include <glm/geometric.hpp>
-#include <numbers>
 #include <vector>
 
 #include "litfog/airlight.h"

@@ -12,7 +12,6 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "command/command_test.h"
 #include "command/exit_status.h"

@@ -8,7 +8,6 @@
 #include <numbers>
 #include <string>
 
-#include "command/exit_status.h"
 #include "command/temporary_directory.h"
 #include "fit/light_fit.h"
 #include "litfog/color_temperature.h"

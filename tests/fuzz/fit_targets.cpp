@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <string_view>
-#include <vector>
 
 #include "fit/random_target.h"
 #include "fuzz/fuzz_target.h"

@@ -4,9 +4,7 @@
 #include <cmath>
 #include <cstddef>
 #include <glm/geometric.hpp>
-#include <limits>
 #include <numbers>
-#include <string>
 #include <string_view>
 #include <vector>
 

@@ -1,8 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <array>
-#include <cmath>
-#include <cstdio>
-#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>

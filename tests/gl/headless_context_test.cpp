@@ -8,9 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
-#include <exception>
 #include <memory>
-#include <optional>
 #include <string>
 #include <thread>
 

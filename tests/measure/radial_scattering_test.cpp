@@ -6,7 +6,6 @@
 #include <boost/math/quadrature/gauss.hpp>
 #include <cmath>
 #include <numbers>
-#include <string>
 
 #include "airlight/inverse_square_lamp.h"
 #include "litfog/airlight.h"

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <glm/gtc/matrix_transform.hpp>
 #include <memory>
 #include <vector>

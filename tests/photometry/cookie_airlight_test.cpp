@@ -6,9 +6,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
-#include <cstdio>
 #include <glm/geometric.hpp>
-#include <string>
 
 #include "photometry/smooth_cookie.h"
 #include "reference/random_airlight.h"

@@ -6,10 +6,8 @@
 
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/eulumdat.h"

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numbers>
 #include <span>
-#include <vector>
 
 #include "reference/random_light.h"
 

@@ -11,7 +11,6 @@
 #include <ctime>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <tuple>
 

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <span>
-#include <string>
 
 #include "scene/file/scene_file.h"
 #include "scene/model/apartment_house.h"

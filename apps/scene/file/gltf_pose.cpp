@@ -3,8 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <optional>
-
 #include "scene/file/gltf_value.h"
 
 namespace litfog::scene {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/paint/field.h"
 
-#include <algorithm>
-
 #include "scene/noise.h"
 
 namespace litfog::scene {
