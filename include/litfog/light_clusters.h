@@ -73,6 +73,8 @@ inline constexpr double kClusterExcess = 0.1;
 /// row of clusters that it may touch. Nothing is tested again while view and light stay the same.
 /// Memory: 112 bytes a light, 48 bytes a light and row of clusters that it is in, 4 bytes an entry, 32 bytes a cluster.
 ///
+/// A call that throws std::bad_alloc has changed nothing that a caller sees.
+///
 /// Different objects may be used on different threads at once.
 class LightClusters {
  public:

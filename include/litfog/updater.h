@@ -70,6 +70,7 @@ inline constexpr double kDefaultReachStep = kDefaultSkipBudget255 / 255;
 ///   lights that are on, in the brightest of their flashes, is below the budget: a pixel loses less than the budget for
 ///   each such light.
 ///
+/// memory   add(), change() and bound_lights() alone allocate. One that throws std::bad_alloc has changed nothing
 /// threads  different updaters: any at once. One updater: its const calls at once, every other call alone
 class FogUpdater {
  public:

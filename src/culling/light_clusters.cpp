@@ -83,8 +83,8 @@ class LightClusters::Store {
     bool has_changed = true;
   };
 
-  void find_runs(bool is_new_view);
-  void find_first_runs();
+  void find_runs(const View& view, bool is_new_view);
+  std::size_t find_first_runs();
   void list_lights();
   bool write_lookup();
   std::span<const std::uint32_t> lists() const {
@@ -119,10 +119,12 @@ void LightClusters::Store::resize(std::size_t count) {
   if (count == bounds_.size()) return;
   const std::size_t before = bounds_.size();
   const std::size_t first_changed = std::min(count, before) / kLightBlock;
-  bounds_.resize(count, {.range = 0});
+  const std::size_t blocks = (count + kLightBlock - 1) / kLightBlock;
   columns_.resize(count);
+  blocks_.reserve(blocks);
+  bounds_.resize(count, {.range = 0});  // the last to need memory: where there is none, nothing has changed
   for (std::size_t light = before; light < count; ++light) columns_.set(light, bounds_[light]);
-  blocks_.resize((count + kLightBlock - 1) / kLightBlock);
+  blocks_.resize(blocks);
   for (std::size_t block = first_changed; block < blocks_.size(); ++block) blocks_[block].has_changed = true;
   has_changed_ = true;
 }
@@ -155,17 +157,18 @@ bool LightClusters::Store::update(const View& view) {
   const bool is_first = !has_view_;
   const bool is_new_view = is_first || view != view_;
   if (!is_new_view && !has_changed_) return false;
+  has_view_ = false;  // a call that runs out of memory leaves the lists, and the next one makes them anew
+  find_runs(view, is_new_view);
+  const bool are_same = runs_ == previous_runs_;
+  if (!are_same || is_first) list_lights();
   view_ = view;
   has_view_ = true;
   has_changed_ = false;
-  find_runs(is_new_view);
-  const bool are_same = runs_ == previous_runs_;
-  if (!are_same || is_first) list_lights();
   return write_lookup() || is_first || !are_same;
 }
 
-void LightClusters::Store::find_runs(bool is_new_view) {
-  const ClusterPlanes planes(grid_, view_);
+void LightClusters::Store::find_runs(const View& view, bool is_new_view) {
+  const ClusterPlanes planes(grid_, view);
   std::swap(runs_, previous_runs_);
   runs_.clear();
   statistics_.lights_in_view = 0;
@@ -187,22 +190,30 @@ void LightClusters::Store::find_runs(bool is_new_view) {
 }
 
 /// Keeps of each light's runs, which lie slice by slice from the eye, the columns in which it was in no slice before.
-void LightClusters::Store::find_first_runs() {
+/// Returns the number of entries of both lists.
+std::size_t LightClusters::Store::find_first_runs() {
+  std::size_t entries = 0;
   first_runs_.clear();
   std::array<std::uint64_t, kMaxParts> columns{};
   for (std::size_t i = 0; i < runs_.size(); ++i) {
     ClusterRun run = runs_[i];
+    entries += std::size_t(std::popcount(run.columns));
     if (i == 0 || run.light != runs_[i - 1].light) std::fill_n(columns.begin(), grid_.rows, 0);
     std::uint64_t& before = columns[run.row % grid_.rows];
     run.columns &= ~before;
     before |= run.columns;
+    entries += std::size_t(std::popcount(run.columns));
     if (run.columns != 0) first_runs_.push_back(run);
   }
+  return entries;
 }
 
 /// Sorts the runs' lights by cluster, by counting: all for the light list, the first ones for lights_along().
 void LightClusters::Store::list_lights() {
-  find_first_runs();
+  const std::size_t entries = find_first_runs();
+  const auto start = std::uint32_t(kHeaderWords + kClusterWords * clusters_.size());
+  if (table_.size() < start + entries) table_.resize(start + entries);
+  table_size_ = start + entries;
   const auto for_each_begin = [this](const ClusterRun& run, const auto& visit) {
     const std::size_t tile = std::size_t(run.row % grid_.rows) * grid_.columns;
     const std::size_t slice = run.row / grid_.rows;
@@ -217,18 +228,16 @@ void LightClusters::Store::list_lights() {
   for (const ClusterRun& run : runs_) for_each_cluster(run, [](Cluster& list) { ++list.count; });
   for (const ClusterRun& run : first_runs_) for_each_begin(run, [](Cluster& list) { ++list.count; });
   const auto make_room = [](std::vector<Cluster>& lists) {
-    std::uint32_t entries = 0;
+    std::uint32_t first = 0;
     for (Cluster& list : lists) {
-      list.first = entries;
-      entries += std::exchange(list.count, 0);
+      list.first = first;
+      first += std::exchange(list.count, 0);
     }
-    return entries;
+    return first;
   };
   statistics_.entries = make_room(clusters_);
-  const auto start = std::uint32_t(kHeaderWords + kClusterWords * clusters_.size());
+  make_room(begins_);
   const auto along_start = std::uint32_t(start + statistics_.entries);
-  table_size_ = along_start + make_room(begins_);
-  if (table_.size() < table_size_) table_.resize(table_size_);
   for (const ClusterRun& run : runs_) {
     for_each_cluster(run, [&](Cluster& list) { table_[start + list.first + list.count++] = run.light; });
   }

@@ -78,6 +78,12 @@ struct FlashingLight {
   Flash flash;
 };
 
+/// So that the next push_back() allocates nothing.
+template <typename T>
+void make_room(std::vector<T>& entries) {
+  if (entries.size() == entries.capacity()) entries.reserve(std::max<std::size_t>(2 * entries.size(), 4));
+}
+
 /// A light; its slot is its index among the instances.
 struct Record {
   std::uint32_t generation = 1;
@@ -154,6 +160,7 @@ class FogUpdater::Store {
   const FogUpdateStatistics& statistics() const { return statistics_; }
 
  private:
+  void make_room_for_one();
   std::uint32_t add_slot();
   std::uint32_t find_or_add_kind(const PlacedLight& placed);
   void enter(std::uint32_t slot, std::uint32_t kind_index);
@@ -197,6 +204,7 @@ FogUpdater::Store::Store(double skip_budget_255) : skip_budget_(skip_budget_255 
 
 FogLightHandle FogUpdater::Store::add(const PlacedLight& light) {
   require(find_error(light));
+  make_room_for_one();
   const std::uint32_t kind = find_or_add_kind(light);
   const std::uint32_t slot = add_slot();
   Record& record = records_[slot];
@@ -211,6 +219,7 @@ FogLightHandle FogUpdater::Store::add(const PlacedLight& light) {
 void FogUpdater::Store::change(FogLightHandle handle, const PlacedLight& light) {
   const std::uint32_t slot = slot_of(handle);
   require(find_error(light));
+  make_room_for_one();
   const std::uint32_t kind = find_or_add_kind(light);
   if (kind != records_[slot].kind) {
     leave(slot);
@@ -301,6 +310,22 @@ std::uint32_t FogUpdater::Store::slot_of(FogLightHandle handle) const {
   return handle.slot;
 }
 
+/// Everywhere but in a kind and the table of keys, so that where memory is short nothing has changed, and that what
+/// gives back, switches or updates needs none.
+void FogUpdater::Store::make_room_for_one() {
+  make_room(records_);
+  make_room(instances_);
+  make_room(flashing_);
+  free_slots_.reserve(records_.capacity());
+  dirty_slots_.reserve(records_.capacity());
+  instance_ranges_.make_room(records_.capacity());
+  make_room(kinds_);
+  make_room(kind_table_);
+  free_kinds_.reserve(kinds_.capacity());
+  columns_.resize(kinds_.capacity());
+  kind_ranges_.make_room(kinds_.capacity());
+}
+
 std::uint32_t FogUpdater::Store::add_slot() {
   if (!free_slots_.empty()) {
     const std::uint32_t slot = free_slots_.back();
@@ -309,14 +334,16 @@ std::uint32_t FogUpdater::Store::add_slot() {
   }
   records_.emplace_back();
   instances_.emplace_back();
-  dirty_slots_.reserve(records_.capacity());
-  instance_ranges_.make_room(records_.capacity());
   return std::uint32_t(records_.size() - 1);
 }
 
+/// Returns the kind of a light, which has room for one more.
 std::uint32_t FogUpdater::Store::find_or_add_kind(const PlacedLight& placed) {
   const KindKey key = key_of(placed);
-  if (const auto found = kind_of_key_.find(key); found != kind_of_key_.end()) return found->second;
+  if (const auto found = kind_of_key_.find(key); found != kind_of_key_.end()) {
+    make_room(kinds_[found->second].lights);
+    return found->second;
+  }
   const Light& light = placed.light;
   Kind kind{.attenuation = light.attenuation,
             .threshold = light.threshold,
@@ -325,14 +352,13 @@ std::uint32_t FogUpdater::Store::find_or_add_kind(const PlacedLight& placed) {
             .bound = {light.attenuation, light.threshold},
             .is_carried = placed.carried,
             .key = key};
-  std::uint32_t index = std::uint32_t(kinds_.size());
+  make_room(kind.lights);
+  const std::uint32_t index = free_kinds_.empty() ? std::uint32_t(kinds_.size()) : free_kinds_.back();
+  kind_of_key_.emplace(key, index);
   if (free_kinds_.empty()) {
     kinds_.push_back(std::move(kind));
     kind_table_.emplace_back();
-    columns_.resize(kinds_.size());
-    kind_ranges_.make_room(kinds_.capacity());
   } else {
-    index = free_kinds_.back();
     free_kinds_.pop_back();
     kinds_[index] = std::move(kind);
   }
@@ -341,11 +367,10 @@ std::uint32_t FogUpdater::Store::find_or_add_kind(const PlacedLight& placed) {
                                               .peak_range = 0,
                                               .extent = unchecked::compute_extent(light.attenuation, light.threshold),
                                               .status = SolveStatus::ok});
-  kind_of_key_.emplace(key, index);
   return index;
 }
 
-/// Gives a light a kind. It is dark until it is shown.
+/// Gives a light a kind that has room. It is dark until it is shown.
 void FogUpdater::Store::enter(std::uint32_t slot, std::uint32_t kind_index) {
   Kind& kind = kinds_[kind_index];
   records_[slot].kind = kind_index;

@@ -11,6 +11,7 @@
 #include <limits>
 #include <span>
 #include <string>
+#include <string_view>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -732,6 +733,63 @@ TEST_F(CFaceFile, LightIsThatOfCpp) {
   EXPECT_EQ(light.cone.half_angle, expected.cone.half_angle);
   EXPECT_EQ(light.cone.exponent, expected.cone.exponent);
   EXPECT_EQ(light.density_scale, expected.density_scale);
+}
+
+TEST_F(CFaceFile, CallThatRunsOutOfMemoryHasItsStatusAndCanBeMadeAgain) {
+  Random random(72);
+  const std::string path = write(R"({"litfog": "light", "version": 1, "name": "a lamp whose name needs memory",
+    "attenuation": {"quadratic": 0.25}})");
+  const litfog_fog fog{LITFOG_FOG_EXP, 0.01};
+  const litfog_atmosphere air{fog, {{0.5, 0}, {0, 0}, 1}, 1, kInfinity, {0, 0, 0}, {}};
+  const litfog_fog_layer layers[] = {{-kInfinity, 100, 20, 300}, {200, 300, 50, 1000}};
+  const litfog_cluster_grid grid{4, 4, 4, 2};
+  const litfog_placed_light wrong{};
+  litfog_view view;
+  litfog_default_view(&view);
+  litfog_light light;
+  litfog_density_profile profile;
+  litfog_light_handle handle;
+  litfog_updater* updater = nullptr;
+  litfog_light_clusters* clusters = nullptr;
+  litfog_view_frustum* frustum = nullptr;
+  std::vector<litfog_placed_light> lights;
+  for (int i = 0; i < 20; ++i) lights.push_back(random_twins(random).c);
+  static litfog_fog_light_block block;
+  static litfog_scattering_table table;
+  size_t length = 0;
+  std::int32_t has_changed = 0;
+
+  std::size_t failed = 0;
+  const auto expect = [&](litfog_status expected, const char* name, const auto& call) {
+    litfog_status status = LITFOG_FAULT;
+    failed += fail_each_allocation([&] { status = call(); },
+                                   [&] {
+                                     EXPECT_EQ(status, LITFOG_OUT_OF_MEMORY) << name;
+                                     EXPECT_TRUE(std::string_view(litfog_last_error()).starts_with("out of memory"));
+                                   });
+    EXPECT_EQ(status, expected) << name << ": " << litfog_last_error();
+  };
+  expect(LITFOG_OK, "read_light", [&] { return litfog_read_light(path.c_str(), &light, nullptr, 0); });
+  expect(LITFOG_OK, "layers", [&] { return litfog_density_profile_from_layers(layers, 2, 0.05, &profile); });
+  expect(LITFOG_OK, "scattering", [&] { return litfog_make_scattering_table(&air, &table); });
+  expect(LITFOG_OK, "block", [&] { return litfog_pack_fog_light_block(&air, lights.data(), 2, &block); });
+  expect(LITFOG_OK, "shader",
+         [&] { return litfog_expand_shader("#include \"litfog/shaders/airlight.glsl\"\n", nullptr, 0, &length); });
+  expect(LITFOG_OK, "frustum", [&] { return litfog_view_frustum_create(&view, &frustum); });
+  expect(LITFOG_OK, "clusters", [&] { return litfog_light_clusters_create(&grid, &clusters); });
+  expect(LITFOG_OK, "updater", [&] { return litfog_updater_create(0, &updater); });
+  expect(LITFOG_INVALID_ARGUMENT, "error", [&] { return litfog_updater_add(updater, &wrong, &handle); });
+  for (const litfog_placed_light& placed : lights) {
+    expect(LITFOG_OK, "add", [&] { return litfog_updater_add(updater, &placed, &handle); });
+  }
+  expect(LITFOG_OK, "change", [&] { return litfog_updater_change(updater, handle, &lights[0]); });
+  expect(LITFOG_OK, "bound",
+         [&] { return litfog_updater_bound_lights(updater, clusters, &air, 0.002, LITFOG_LAMP_LEG_FOGGED); });
+  expect(LITFOG_OK, "update", [&] { return litfog_light_clusters_update(clusters, &view, &has_changed); });
+  EXPECT_GT(failed, 60u);
+  litfog_view_frustum_destroy(frustum);
+  litfog_light_clusters_destroy(clusters);
+  litfog_updater_destroy(updater);
 }
 
 TEST_F(CFaceFile, ErrorBeginsWithFileLineAndColumn) {

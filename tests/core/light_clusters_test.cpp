@@ -10,6 +10,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <new>
 #include <numbers>
 #include <thread>
 #include <vector>
@@ -356,6 +357,48 @@ TEST(LightClusters, FlightThatWasFlownBeforeAllocatesNothing) {
   const std::size_t before = allocation_count();
   fly();
   EXPECT_EQ(allocation_count(), before);
+}
+
+TEST(LightClusters, CallThatRunsOutOfMemoryLeavesTheListsAndTheNextOneMakesThem) {
+  Random random(71);
+  LightClusters clusters({.columns = 5, .rows = 4, .slices = 6, .first_depth = 3});
+  std::vector<LightBounds> lights;
+  std::size_t failed = 0;
+  for (int step = 0; step < 30; ++step) {
+    View view = draw_view(random);
+    view.nearest = 1;
+    view.farthest = 500;
+    const auto expect_unchanged_without_memory = [&](const auto& call) {
+      const std::vector<std::uint32_t> table(clusters.table().begin(), clusters.table().end());
+      const Lists lists(clusters);
+      const std::size_t size = clusters.size();
+      failed += fail_each_allocation(
+          [&] {
+            try {
+              call();
+            } catch (const std::bad_alloc&) {
+            }
+          },
+          [&] {
+            EXPECT_TRUE(std::ranges::equal(clusters.table(), table));
+            EXPECT_TRUE(Lists(clusters) == lists);
+            EXPECT_EQ(clusters.size(), size);
+          });
+    };
+    lights.resize(std::size_t(random.below(400)), {.range = 0});
+    expect_unchanged_without_memory([&] { clusters.resize(lights.size()); });
+    for (std::size_t i = 0; i < lights.size(); i += 1 + std::size_t(random.below(5))) {
+      lights[i] = draw_bounds(random, view);
+      clusters.set_light(i, lights[i]);
+    }
+    expect_unchanged_without_memory([&] { clusters.update(view); });
+    LightClusters fresh(clusters.grid());
+    set_lights(fresh, lights);
+    fresh.update(view);
+    EXPECT_TRUE(Lists(clusters) == Lists(fresh));
+    EXPECT_TRUE(std::ranges::equal(clusters.table(), fresh.table()));
+  }
+  EXPECT_GT(failed, 15u);
 }
 
 TEST(LightClusters, TwoObjectsServeTwoThreads) {

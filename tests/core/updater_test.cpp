@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <new>
 #include <string>
 #include <thread>
 #include <utility>
@@ -456,6 +457,33 @@ TEST(FogUpdater, SetFogAllocatesNothing) {
   EXPECT_EQ(allocation_count(), before);
   FogUpdater().add(carried_light());
   EXPECT_GT(allocation_count(), before);  // it does count
+}
+
+TEST(FogUpdater, CallThatRunsOutOfMemoryChangesNothing) {
+  Random random(57);
+  Mirror mirror(0.5);
+  mirror.lights.reserve(300);
+  std::size_t failed = 0;
+  for (int i = 0; i < 300; ++i) {
+    const PlacedLight light = draw_light(random);
+    const bool is_added = mirror.lights.empty() || random.chance(0.6);
+    const std::size_t at = is_added ? 0 : std::size_t(random.below(int(mirror.lights.size())));
+    const Fog fog = draw_fog(random, kMist);
+    failed += fail_each_allocation(
+        [&] {
+          try {
+            is_added ? mirror.add(light) : mirror.change(at, light);
+          } catch (const std::bad_alloc&) {
+          }
+        },
+        [&] { mirror.set_fog(fog); });
+    ASSERT_NO_FATAL_FAILURE(mirror.set_fog(fog)) << i;
+    if (random.chance(0.7)) continue;
+    const std::size_t before = allocation_count();
+    mirror.remove(std::size_t(random.below(int(mirror.lights.size()))));
+    EXPECT_EQ(allocation_count(), before);
+  }
+  EXPECT_GT(failed, 100u);
 }
 
 // --- handles ---

@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
@@ -25,9 +26,10 @@
 
 namespace {
 
-/// What fsync() of this program is called for, and whether it fails.
+/// What fsync() of this program is called for, and how it, rename() and write() fail.
 std::vector<std::filesystem::path>* synced = nullptr;
-int sync_error = 0;
+int sync_error = 0, rename_error = 0, write_error = 0;
+bool is_write_short = false;
 
 }  // namespace
 
@@ -38,6 +40,22 @@ extern "C" int fsync(int file) {
     return -1;
   }
   return int(syscall(SYS_fsync, file));
+}
+
+extern "C" int rename(const char* from, const char* to) noexcept {
+  errno = rename_error;
+  return rename_error != 0 ? -1 : int(syscall(SYS_rename, from, to));
+}
+
+/// Every other call is interrupted, and none writes more than a byte, where writing is short.
+extern "C" ssize_t write(int file, const void* bytes, std::size_t size) {
+  static bool is_interrupted = false;
+  errno = write_error;
+  if (write_error != 0) return -1;
+  if (!is_write_short) return syscall(SYS_write, file, bytes, size);
+  errno = EINTR;
+  is_interrupted = !is_interrupted;
+  return is_interrupted ? -1 : syscall(SYS_write, file, bytes, std::min<std::size_t>(size, 1));
 }
 
 namespace litfog::test {
@@ -206,6 +224,26 @@ TEST_F(WholeFile, FileThatDoesNotReachTheDiskIsAnError) {
   EXPECT_EQ(read("a"), "earlier");
   EXPECT_EQ(read("b"), "text");
   EXPECT_EQ(file_count(), 2u);
+}
+
+TEST_F(WholeFile, FileThatCannotBeWrittenOrTakeItsNameIsAnErrorAndLeavesNothing) {
+  write_whole_file(path("a"), "earlier");
+  for (int* const error : {&write_error, &rename_error}) {
+    for (const int reason : {EIO, ENOSPC, EDQUOT, EROFS}) {
+      *error = reason;
+      EXPECT_THROW(write_whole_file(path("a"), "text"), OutputError);
+      *error = 0;
+      EXPECT_EQ(read("a"), "earlier");
+      EXPECT_EQ(file_count(), 1u);
+    }
+  }
+}
+
+TEST_F(WholeFile, WritingGoesOnWhereItWasInterrupted) {
+  is_write_short = true;
+  write_whole_file(path("a"), "some text");
+  is_write_short = false;
+  EXPECT_EQ(read("a"), "some text");
 }
 
 TEST_F(WholeFile, TemporaryOfAKilledProcessIsRemovedLater) {
