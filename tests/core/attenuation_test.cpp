@@ -3,12 +3,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 
 #include "core/value_errors.h"
 #include "reference/double_limits.h"
+#include "reference/near_numbers.h"
 #include "reference/random_light.h"
 #include "reference/reference_solver.h"
 #include "reference/ulp.h"
@@ -193,6 +195,35 @@ TEST(AttenuationAt, AttenuationIsExactToItsRoundings) {
   }
   ordinary.check();
   wide.check();
+}
+
+RC_GTEST_PROP(AttenuationAt, BoundsHoldAtTheKneeTheExtentAndTheirLimits, ()) {
+  const double constant = *near_one_of({0, 0.5, 1, 2, 19.9});
+  const double linear = *near_one_of({0, 1e-6, 0.1, 1, 1e6});
+  const Attenuation a{constant, linear, *near_one_of({0, 1e-9, 0.01, 1, 1e9})};
+  const double threshold = *near_one_of({0.5, 1, 0.05, 1 / 19.9, 1 / (constant + linear), 1e-3, 0});
+  RC_PRE(!find_error(a) && !find_threshold_error(threshold));
+  const double knee = compute_knee(a), extent = compute_extent(a, threshold);
+  const bool is_constant = linear == 0 && a.quadratic == 0;
+  if (constant >= 1) {
+    RC_ASSERT(knee == 0);
+  } else if (is_constant) {
+    RC_ASSERT(knee == kInfinity);
+  } else {
+    RC_ASSERT(ulp_error(knee, reference_knee(a)) <= kKneeMaxUlp);
+  }
+  if (Digits50(constant) * threshold >= 1) {
+    RC_ASSERT(extent == 0);
+  } else if (is_constant) {
+    RC_ASSERT(extent == kInfinity);
+  } else {
+    RC_ASSERT(ulp_error(extent, reference_extent(a, threshold)) <= kExtentMaxUlp<double>);
+  }
+  const double range = std::max(*near_one_of({knee, extent, 1, constant}), 0.0);
+  RC_PRE(range == 0 || (range > 1e-100 && range < 1e100));
+  const double value = attenuation_at(a, range);
+  RC_ASSERT(value >= 0 && value <= 1);
+  RC_ASSERT(ulp_error(value, reference_attenuation(a, range)) <= kAttenuationMaxUlp);
 }
 
 TEST(AttenuationAt, AttenuationHasItsLimitAtInfinity) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
 #include <limits>
@@ -13,6 +14,7 @@
 #include "litfog/formulas.h"
 #include "reference/digits50.h"
 #include "reference/double_limits.h"
+#include "reference/near_numbers.h"
 #include "reference/random_light.h"
 #include "reference/ulp.h"
 
@@ -273,6 +275,52 @@ TEST(Cone, FluxIsTheIntegralOverTheSphere) {
     error.add(relative_error(flux_within(cone, end), reference), [&] { return describe(cone, end); });
   }
   error.check();
+}
+
+/// Right angles and others, and where a cone begins to fade and ends.
+double draw_angle(const Cone& cone) {
+  return std::clamp(*near_one_of({0, pi / 6, pi / 4, pi / 3, pi / 2, 3 * pi / 4, pi, cone.inner, cone.outer,
+                                  cone.half_angle, (cone.inner + cone.outer) / 2}),
+                    0.0, pi);
+}
+
+RC_GTEST_PROP(Cone, BoundsHoldAtAnglesWhereAConeBeginsOrEnds, ()) {
+  Cone cone;
+  if (*rc::gen::arbitrary<bool>()) {
+    cone = Cone::cosine(std::min(draw_angle({}), pi / 2), *near_one_of({0, 1, 2, 8, 1000}));
+  } else {
+    cone.outer = draw_angle({});
+    cone = Cone::smoothstep(*near_one_of({0, cone.outer / 2, 0.99 * cone.outer}), cone.outer);
+  }
+  RC_PRE(!find_error(cone));
+  const double angle = draw_angle(cone), cosine = std::cos(angle);
+  const double fraction = cone_at(cone, cosine);
+  if (cone.profile == ConeProfile::smoothstep) {
+    const Digits50 width = cos(Digits50(cone.inner)) - cos(Digits50(cone.outer));
+    RC_PRE(width > 1e-30);
+    RC_ASSERT(abs(fraction - fraction_at(cone, acos(Digits50(cosine)))) * width <= kSmoothstepConeMaxErrorTimesWidth);
+  } else if (cosine > std::nextafter(std::cos(cone.half_angle), 2.0)) {
+    RC_ASSERT(ulp_error(fraction, Digits50(pow(Digits50(cosine), Digits50(cone.exponent)))) <= kCosineConeMaxUlp);
+  } else if (cosine < std::nextafter(std::cos(cone.half_angle), -2.0)) {
+    RC_ASSERT(fraction == 0);
+  }
+  // Angles are taken as they are, not by their cosines: the flux out to one is that of the definition.
+  const Digits50 last = std::min(angle, cutoff_angle(cone));
+  Digits50 flux;
+  if (cone.profile == ConeProfile::cosine) {
+    const Digits50 power = Digits50(cone.exponent) + 1;
+    flux = (1 - pow(cos(last), power)) / power;
+  } else {
+    const Digits50 outer = cos(Digits50(cone.outer)), width = cos(Digits50(cone.inner)) - outer;
+    const Digits50 full = std::min<Digits50>(cone.inner, last);
+    const auto integral = [&](const Digits50& x) {  // of t^2 (3 - 2 t)
+      const Digits50 t = (x - outer) / width;
+      return width * t * t * t * (1 - t / 2);
+    };
+    flux = 1 - cos(full) + (last > full ? integral(cos(full)) - integral(cos(last)) : Digits50(0));
+  }
+  flux *= 2 * boost::math::constants::pi<Digits50>();
+  RC_ASSERT(relative_error(flux_within(cone, angle), flux) <= kFluxMaxError);
 }
 
 TEST(Cone, FluxHasItsClosedForms) {

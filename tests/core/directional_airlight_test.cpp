@@ -7,10 +7,12 @@
 #include <array>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "reference/double_limits.h"
+#include "reference/near_numbers.h"
 #include "reference/random_light.h"
 #include "reference/ulp.h"
 #include "value_errors.h"
@@ -102,6 +104,28 @@ TEST(DirectionalAirlight, ClosedFormIsTheIntegralInAnyFogThatIsOpenAbove) {
                 std::exp(-depth_to_light(air, ray.origin.y, to_light.y)), 1e-13);
   }
   error.check();
+}
+
+RC_GTEST_PROP(DirectionalAirlight, ClosedFormIsTheIntegralOfRaysFromAndToKnotsAndAlongAxes, ()) {
+  Random random(*rc::gen::arbitrary<std::uint32_t>());
+  const Atmosphere air = draw_open_air(random);
+  std::vector<double> edges{0};
+  if (air.profile.count == 0) edges.push_back(air.top);
+  for (const DensityKnot& knot : air.profile.used()) edges.push_back(knot.height);
+  const auto draw_axis = [&] {
+    const double rise = *near_one_of({0, 1, -1, 0.5, 0.05, -0.05});
+    if (std::abs(rise) > 1) return dvec3(0, std::copysign(1.0, rise), 0);
+    return dvec3(std::sqrt((1 - rise) * (1 + rise)), rise, 0);
+  };
+  const dvec3 to_light = draw_axis();
+  EyeRay ray{{0, *near_one_of(edges), 0}, *rc::gen::arbitrary<bool>() ? draw_axis() : to_light, 100};
+  const double end = (*near_one_of(edges) - ray.origin.y) / ray.direction.y;
+  if (end > 1e-3 && end < 1e5) ray.length = end;
+  const double expected = integrated_airlight(air, to_light, ray);
+  const double found = directional_airlight(air, to_light, ray);
+  RC_LOG() << describe(air, to_light, ray) << ": " << found << " instead of " << expected;
+  const double crossing = 4e-16 * ray.length * std::max(air.fog.density, largest_density(air.profile));  // of an edge
+  RC_ASSERT(std::abs(found - expected) <= kDirectionalAirlightMaxError * expected + crossing);
 }
 
 TEST(DirectionalAirlight, AnglesHaveThePhaseFunctionsValue) {
