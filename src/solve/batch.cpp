@@ -386,10 +386,16 @@ HWY_INLINE V level_correction(D d, const Lanes<V>& in, V level, V range, const S
   return rough_quotient(d, residual, hn::Max(slope, hn::Set(d, T(1e-37))));
 }
 
+/// By how much a light begins above its threshold, over 1 / threshold. A product that only rounds to 1 leaves some.
+template <class D, class V = hn::Vec<D>>
+HWY_INLINE V excess_of(D d, const Lanes<V>& in) {
+  return minus_product(d, hn::Set(d, 1), in.constant, in.threshold);
+}
+
 /// Lights below their threshold everywhere.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_dark(D d, const Lanes<V>& in) {
-  return hn::Ge(hn::Mul(in.constant, in.threshold), hn::Set(d, 1));
+  return hn::Le(excess_of(d, in), hn::Zero(d));
 }
 
 template <class D, class V = hn::Vec<D>>
@@ -504,14 +510,14 @@ HWY_INLINE hn::Mask<D> has_least_fall(D d, V fall) {
   return hn::Ge(fall, hn::Set(d, hn::TFromD<D>(0x1p-30)));
 }
 
-/// The lights that solve_peak holds for.
+/// The lights that solve_peak holds for. Of those that are barely lit the denominator's digits cancel.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_ordinary(D d, const Lanes<V>& in) {
   using T = hn::TFromD<D>;
   const auto is_safe_density =
       hn::And(hn::Ge(in.density, hn::Set(d, T(0x1p-17))), hn::Le(in.density, hn::Set(d, T(0x1p+10))));
   return hn::And(is_safe(d, in, has_least_fall(d, hn::Add(in.linear, in.quadratic))),
-                 hn::AndNot(is_dark(d, in), is_safe_density));
+                 hn::And(hn::Ge(excess_of(d, in), hn::Set(d, T(0x1p-10))), is_safe_density));
 }
 
 /// The limit cases among the others: clear air, total fog, constant attenuation, dark lights. The peak range is NaN in

@@ -142,6 +142,28 @@ TEST_F(Batch, WideRangesAreAsExact) {
   });
 }
 
+/// Lights whose constant term is nearly 1 / threshold, half of them but for a rounding.
+template <typename T>
+Columns<T> barely_lit_lights() {
+  Columns<T> columns;
+  Random random(kSeed);
+  while (columns.size() < 1001) {
+    const T threshold = T(random.chance(0.5) ? random.log_uniform(1e-3, 0.9) : 1.0 / (2 + random.below(1000)));
+    const T constant = T((random.chance(0.5) ? 1 : 1 - random.log_uniform(1e-18, 0.03)) / threshold);
+    if (!(threshold < 1) || std::fma(double(constant), double(threshold), -1.0) >= 0) continue;
+    columns.add(constant, random.log_uniform(1e-3, 1), random.log_uniform(1e-3, 1), threshold,
+                random.log_uniform(0.01, 1));
+  }
+  return columns;
+}
+
+TEST_F(Batch, LightBarelyAboveItsThresholdIsNotDark) {
+  on_every_target([] {
+    expect_accurate("barely lit", barely_lit_lights<float>());
+    expect_accurate("barely lit", barely_lit_lights<double>());
+  });
+}
+
 /// Ordinary lights in one fog mode with their solutions, rounded to float so that both precisions take the same.
 struct ReferenceLights {
   Columns<float> columns;
