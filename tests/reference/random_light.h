@@ -54,7 +54,9 @@ class Random {
     return bits;
   }
   double uniform(double low, double high) { return low + (high - low) * (double(bits() >> 11) * 0x1p-53); }
-  double log_uniform(double low, double high) { return std::exp(uniform(std::log(low), std::log(high))); }
+  double log_uniform(double low, double high) {
+    return std::clamp(std::exp(uniform(std::log(low), std::log(high))), low, high);  // e^log(5) is below 5
+  }
   bool chance(double probability) { return uniform(0, 1) < probability; }
   int below(int count) { return int(bits() % std::uint64_t(count)); }
 
