@@ -35,7 +35,7 @@ class Abort : public testing::EmptyTestEventListener {
   std::exit(1);
 }
 
-#ifdef LITFOG_BUILD_FUZZERS
+#ifdef LITFOG_LIBFUZZER
 
 const FuzzTarget* the_target = nullptr;
 
@@ -84,7 +84,7 @@ void run_seeds(const FuzzTarget& target) {
 }  // namespace
 }  // namespace litfog::test
 
-#ifdef LITFOG_BUILD_FUZZERS
+#ifdef LITFOG_LIBFUZZER
 
 extern "C" int LLVMFuzzerInitialize(int* count, char*** arguments) {
   litfog::test::change_arguments(*count, *arguments);
