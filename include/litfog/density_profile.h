@@ -16,7 +16,7 @@ namespace litfog {
 template <typename Real>
 struct BasicDensityKnot {
   Real height = 0;   ///< metres, at most 16777216 in magnitude
-  Real density = 0;  ///< 1/m, finite, >= 0
+  Real density = 0;  ///< 1/m, [0, 1e300]
 
   friend bool operator==(const BasicDensityKnot&, const BasicDensityKnot&) = default;
 };
@@ -75,7 +75,7 @@ DensityProfile make_density_profile(std::span<const FogLayer> layers, double con
 /// Density at a height, metres; any height, infinite ones too.
 double profile_density_at(const DensityProfile& profile, double height);
 
-/// Largest relative error of mean_density and optical_depth.
+/// Largest relative error of mean_density and optical_depth, of densities that are 0 or at least 1e-250.
 inline constexpr double kMeanDensityMaxError = 1e-15;
 
 /// Mean density between two heights, in either order: that along any straight line from one to the other. At equal

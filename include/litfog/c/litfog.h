@@ -79,7 +79,7 @@ typedef struct litfog_phase {
 /// Density of the fog at a height (litfog/density_profile.h).
 typedef struct litfog_density_knot {
   double height;   ///< metres, at most 16777216 in magnitude
-  double density;  ///< 1/m, finite, >= 0
+  double density;  ///< 1/m, [0, 1e300]
 } litfog_density_knot;
 
 #define LITFOG_MAX_DENSITY_KNOTS 8
