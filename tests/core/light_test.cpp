@@ -65,8 +65,9 @@ TEST(Light, FlashThatNoLampHasOrNoColourHoldsIsAnError) {
 }
 
 TEST(Light, SourceRadiusThatNoLawCanHaveIsAnError) {
-  const auto error = [](double radius, const Attenuation& attenuation, double red = 1) {
+  const auto error = [](double radius, const Attenuation& attenuation, double red = 1, double threshold = 0.05) {
     return error_after([&](Light& l) {
+      l.threshold = threshold;
       l.attenuation = attenuation;
       l.source_radius = radius;
       l.color.r = red;
@@ -82,6 +83,8 @@ TEST(Light, SourceRadiusThatNoLawCanHaveIsAnError) {
   const char* const kOutOfRange = ": must leave color / (attenuation.quadratic source_radius^2) finite";
   EXPECT_EQ(error(1e-9, {1, 0, 1e-3}, 1e300), std::string("source_radius = 1e-09") + kOutOfRange);
   EXPECT_EQ(error(1e-200, {1, 0, 1}), std::string("source_radius = 1e-200") + kOutOfRange);
+  EXPECT_EQ(error(1e-5, {1, 0, 1}, 1, 1e-297), "accepted");
+  EXPECT_EQ(error(1e-5, {1, 0, 1}, 1, 1e-298), std::string("source_radius = 1e-05") + kOutOfRange);
   EXPECT_EQ(error(0, {1, 1, 0}), "accepted");
 }
 
