@@ -240,6 +240,28 @@ def maps():
                  ("llvmpipe-maps", rows[0]))
 
 
+def plain(head, lines):
+    return "\n".join("| " + " | ".join(line) + " |" for line in (head, ["---"] * len(head), *lines))
+
+
+@figure
+def fuzz():
+    lines = [[f"`{row['target']}`", f"{row['runs']:,.0f}", f"{row['seconds'] / 60:,.0f}"] for row in read("fuzz")]
+    return plain(["target", "runs", "minutes"], lines)
+
+
+@figure
+def mutants():
+    rows = read("mutants")
+    lines = []
+    for folder in sorted({row["file"].rpartition("/")[0] for row in rows}):
+        here = [row for row in rows if row["file"].startswith(folder + "/")]
+        survivors = [f"`{row['file'].rpartition('/')[2]}:{row['line']:.0f}` `{row['operator']}` to `{row['mutant']}`"
+                     .replace("|", "\\|") for row in here if not row["found_by"]]
+        lines.append([f"`{folder}`", str(len(here)), str(len(here) - len(survivors)), ", ".join(survivors)])
+    return plain(["folder", "mutants", "found", "not found"], lines)
+
+
 def with_figures(text):
     def block(match):
         return f"{match[1]}\n{figures[match[2]]()}\n{match[3]}"
