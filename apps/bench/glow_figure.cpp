@@ -11,7 +11,7 @@
 #include <utility>
 #include <vector>
 
-#include "airlight/inverse_square_lamp.h"
+#include "measure/inverse_square_lamp.h"
 #include "bench/glow_rival.h"
 #include "bench/stopwatch.h"
 #include "command/progress.h"

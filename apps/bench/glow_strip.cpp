@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "airlight/inverse_square_lamp.h"
+#include "measure/inverse_square_lamp.h"
 #include "command/progress.h"
 #include "drawing/lettering.h"
 #include "drawing/picture_file.h"

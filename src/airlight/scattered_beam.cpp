@@ -5,7 +5,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "airlight/inverse_square_lamp.h"
 #include "legendre.h"
 #include "litfog/airlight.h"
 #include "litfog/multiple_scattering.h"
@@ -22,15 +21,24 @@ constexpr double kSharpness = 12.5;
 
 double depth_of(int row) { return kFirstDepth * std::pow(kLastDepth / kFirstDepth, double(row) / (kBeamDepths - 1)); }
 
+/// A point lamp of 1 / (Q r^2), r in depths.
+constexpr double kQuadratic = 1e12;
+PlacedLight lamp_at(double depth) {
+  Light light;
+  light.attenuation = {.constant = 0, .linear = 0, .quadratic = kQuadratic};
+  light.threshold = 1e-17;
+  return {.light = light, .position = {0, 0, -depth}};
+}
+
 ThinBeams::Row make_row(double depth, const Atmosphere& atmosphere, const ScatteringTable& table) {
   ThinBeams::Row row{};
   double outward = 0;
   double from = 0;
-  const PlacedLight lamp = lamp_ahead(depth);
+  const PlacedLight lamp = lamp_at(depth);
   for (double to = 0.01; from < pi; from = to, to = std::min(2 * to, pi)) {
     add_gauss(from, to, [&](double angle, double size) {
       const double cosine = std::cos(angle), sine = std::sin(angle);
-      const double single = airlight(lamp, atmosphere, ray_beside(angle)) * kQuadratic;
+      const double single = airlight(lamp, atmosphere, {.direction = {sine, 0, -cosine}}) * kQuadratic;
       const double light = size * sine / 2 * (single + scattered_at(table, depth, angle));
       const double length = std::sqrt(1 + kApparentStart * (kApparentStart - 2 * cosine));
       const double radial = light * (1 - kApparentStart * cosine) / length;

@@ -8,7 +8,7 @@
 #include <functional>
 #include <numbers>
 
-#include "airlight/inverse_square_lamp.h"
+#include "measure/inverse_square_lamp.h"
 #include "litfog/airlight.h"
 
 namespace litfog::bench {

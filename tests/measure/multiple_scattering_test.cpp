@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "airlight/inverse_square_lamp.h"
+#include "measure/inverse_square_lamp.h"
 #include "litfog/airlight.h"
 #include "measure/quantile.h"
 #include "measure/radial_scattering.h"

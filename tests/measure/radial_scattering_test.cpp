@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "airlight/inverse_square_lamp.h"
+#include "measure/inverse_square_lamp.h"
 #include "litfog/airlight.h"
 #include "measure/scattering_walk.h"
 

@@ -12,7 +12,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "airlight/inverse_square_lamp.h"
+#include "measure/inverse_square_lamp.h"
 #include "litfog/density_profile.h"
 
 namespace litfog::test {

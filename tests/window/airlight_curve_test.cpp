@@ -32,7 +32,7 @@ TEST(AirlightCurve, EachSampleIsTheRaysThatEndsThere) {
     const double single = airlight(lamp(), air, ray);
     EXPECT_NEAR(curve.single[i], single, 1e-9);
     EXPECT_NEAR(curve.all[i], single + multiple_scattering(lamp(), air, table, ray), 1e-9);
-    if (i > 0) EXPECT_GE(curve.single[i], curve.single[i - 1]);
+    EXPECT_GE(curve.single[i], curve.single[i > 0 ? i - 1 : 0]);
   }
   EXPECT_GT(curve.end, glm::distance(lamp().position, kRay.origin));
 }
