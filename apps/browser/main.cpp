@@ -178,12 +178,16 @@ EMSCRIPTEN_KEEPALIVE void page_look(double right_deg, double up_deg) {
   window::look(session().scene.camera, glm::radians(right_deg), glm::radians(up_deg));
 }
 EMSCRIPTEN_KEEPALIVE void page_orbit(double right_deg, double up_deg) {
-  window::orbit(session().scene.camera, glm::radians(right_deg), glm::radians(up_deg));
+  scene::Camera& camera = session().scene.camera;
+  window::orbit(camera, camera.target, glm::radians(right_deg), glm::radians(up_deg));
 }
 EMSCRIPTEN_KEEPALIVE void page_fly(double right, double up, double ahead) {
   window::fly(session().scene.camera, right, up, ahead);
 }
-EMSCRIPTEN_KEEPALIVE void page_approach(double factor) { window::approach(session().scene.camera, factor); }
+EMSCRIPTEN_KEEPALIVE void page_approach(double factor) {
+  scene::Camera& camera = session().scene.camera;
+  window::approach(camera, camera.target, factor);
+}
 
 EMSCRIPTEN_KEEPALIVE int page_lamp_count() { return int(session().lamps.size()); }
 /// The name of its file in data/lights.

@@ -24,8 +24,9 @@ std::optional<Number> whole_number(std::string_view text) {
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), number);
   return error == std::errc() && stop == text.data() + text.size() ? std::optional(number) : std::nullopt;
 }
-inline std::optional<double> finite_number(std::string_view text) {
-  const auto number = whole_number(text);
+template <typename Number = double>
+std::optional<Number> finite_number(std::string_view text) {
+  const auto number = whole_number<Number>(text);
   return number && std::isfinite(*number) ? number : std::nullopt;
 }
 

@@ -326,8 +326,8 @@ double shown(const OIIO::ImageBuf& image, int x, int y) {
 
 TEST_F(DemoCommand, ReferenceIsTheSamePictureToAStep) {
   for (const char* options : {"-o a.exr", "--reference -o b.exr --stats s.json"}) {
-    const Outcome outcome =
-        run(std::string("tessellation --visibility 200 --size 64x36 ") + options);  // no lamp in view
+    const Outcome outcome = run(std::string("tessellation --visibility 200 --scattering single --size 64x36 ") +
+                                options);  // no lamp in view
     ASSERT_EQ(outcome.status, kDone) << outcome.err;
   }
   OIIO::ImageBuf drawn((directory() / "a.exr").string());

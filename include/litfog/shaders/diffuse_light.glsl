@@ -5,6 +5,7 @@
 #define LITFOG_DIFFUSE_LIGHT_GLSL
 
 #ifndef __cplusplus
+#include "litfog/shaders/expm1.glsl"  // the precision of floats
 #define LITFOG_REAL float
 #define LITFOG_FUNCTION
 #endif
