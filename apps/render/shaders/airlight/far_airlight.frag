@@ -98,7 +98,8 @@ void main() {
         float at_middle = left_by_layers(scale, eye, eye + seen * direction);
         float at_end = left_by_layers(scale, eye, eye + end * direction);
         weight = max(left - at_end, 0.0) / (end - begin);
-        seen += 0.25 * (end - begin) * (2.0 * at_middle - left - at_end) / max(left - at_end, 1.0e-30);
+        float shift = (2.0 * at_middle - left - at_end) / max(left - at_end, 1.0e-30);
+        seen += 0.25 * (end - begin) * clamp(shift, -1.0, 1.0);  // of thin fog there are roundings alone
         left = at_end;
       }
       float within = max(min(end, approach + half_chord) - max(begin, approach - half_chord), 0.0);
