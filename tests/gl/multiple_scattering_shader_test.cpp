@@ -98,7 +98,7 @@ TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
     double largest = 0, largest_on_surfaces = 0;
     for (std::size_t i = 0; i < results.size(); ++i) {
       const ScatteringSource& source = sources[i % 3];
-      ASSERT_TRUE(std::isfinite(results[i].x)) << i;
+      ASSERT_TRUE(std::isfinite(results[i].x) && std::isfinite(results[i].y)) << i;
       const double expected = multiple_scattering(lamps[i], source, air, table, rays[i]) / source.intensity;
       // Rays that end are differences of the endless ones.
       EyeRay endless = rays[i];
