@@ -268,7 +268,7 @@ DiffuseLight scattered_light(const PlacedLight& light, const ScatteringSource& s
   require(find_error(light));
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
-  require(find_error(EyeRay{.origin = position, .direction = light.direction}));
+  require(find_position_error(position, {"position.x", "position.y", "position.z"}));
   const glm::dvec3 offset = position - light.position;
   const double range = glm::length(offset);
   if (!(source.intensity > 0) || !(range > 0)) return {};

@@ -130,6 +130,14 @@ TEST(EffectiveIntensity, BadArgumentIsNamed) {
   EXPECT_EQ(error_of([] { effective_intensity({-1, 0, 0}, 1); }), error_of([] { compute_knee({-1, 0, 0}); }));
 }
 
+TEST(ScatteredLight, PositionThatIsNoneIsNamed) {
+  const auto refused = [](const dvec3& position) {
+    return error_of([&] { scattered_light(inverse_square_lamp({}), {}, uniform_fog(0.1), position); });
+  };
+  EXPECT_EQ(refused({0, kNan, 0}).find("position.y = nan: "), 0u);
+  EXPECT_EQ(refused({0, 0, kInfinity}).find("position.z = inf: "), 0u);
+}
+
 TEST(ScatteringTable, AtmosphereWithoutOneIsNamed) {
   const auto refused = [](const Atmosphere& air) {
     EXPECT_TRUE(find_scattering_error(air));
