@@ -50,6 +50,11 @@ struct Atmosphere {
   /// Uniform fog of the least and of the largest density at any height, for bounds.
   Fog thinnest_fog() const { return {fog.mode, fog.density + smallest_density(profile)}; }
   Fog thickest_fog() const { return {fog.mode, fog.density + largest_density(profile)}; }
+  /// Uniform fog that hides no more than this air does between a point at a height and any point from one height to
+  /// another: least_mean_density().
+  Fog thinnest_fog_between(double height, double lowest, double highest) const {
+    return profile.count == 0 ? fog : Fog{fog.mode, fog.density + least_mean_density(profile, height, lowest, highest)};
+  }
 
   /// How far rays to the sky are above a height when they leave the fog, metres; infinity: they do not leave it at a
   /// top.

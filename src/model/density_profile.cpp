@@ -148,6 +148,49 @@ double smallest_density(const DensityProfile& profile, double lowest, double hig
   return extreme_density(profile, lowest, highest, [](double a, double b) { return std::min(a, b); });
 }
 
+double least_mean_density(const DensityProfile& profile, double height, double lowest, double highest) {
+  double least = std::numeric_limits<double>::infinity();
+  // Places between which the density is straight, on both sides of the height and away from it.
+  std::array<double, kMaxDensityKnots + 3> places;
+  std::size_t count = 0;
+  const auto add_place = [&](double place) {
+    if (count == 0 || place > places[count - 1]) places[count++] = place;
+  };
+  add_place(lowest);
+  bool has_height = false;
+  for (const DensityKnot& knot : profile.used()) {
+    if (!has_height && knot.height >= height) {
+      add_place(std::min(height, highest));
+      has_height = true;
+    }
+    add_place(std::min(knot.height, highest));
+  }
+  if (!has_height) add_place(std::min(height, highest));
+  add_place(highest);
+  const auto mean_to = [&](double place) {
+    const double mean =
+        std::isfinite(place) ? mean_density(profile, height, place) : profile_density_at(profile, place);
+    least = std::min(least, mean);
+    return mean;
+  };
+  const auto between = [&](double near, double far) {
+    const double density = profile_density_at(profile, near);
+    const double excess = mean_to(near) - density;
+    const double rise = (profile_density_at(profile, far) - density) / std::abs(far - near);
+    if (!(excess > 0 && rise > 0)) return;
+    // Where the density has risen to the mean, which falls up to there.
+    const double from = std::abs(near - height);
+    const double step = 2 * from * excess / rise / (from + std::sqrt(from * (from + 2 * excess / rise)));
+    if (step < std::abs(far - near)) mean_to(near + std::copysign(step, far - near));
+  };
+  for (std::size_t i = 0; i + 1 < count; ++i) {
+    places[i] >= height ? between(places[i], places[i + 1]) : between(places[i + 1], places[i]);
+  }
+  mean_to(lowest);
+  mean_to(highest);
+  return least;
+}
+
 DensityProfile scaled(const DensityProfile& profile, double density_scale) {
   DensityProfile result = profile;
   for (DensityKnot& knot : result.knots) knot.density *= density_scale;

@@ -165,6 +165,29 @@ TEST(DensityProfile, ExtremesBoundTheDensityBetweenTwoHeights) {
   }
 }
 
+TEST(DensityProfile, NoLineToARangeOfHeightsIsThinnerThanTheLeastMean) {
+  Random random(414);
+  for (int i = 0; i < 2000; ++i) {
+    const DensityProfile profile = random_profile(random);
+    const double height = random.uniform(-200, 5000);
+    const double low = random.uniform(-200, 5000), high = low + random.log_uniform(1e-3, 1e4);
+    const double least = least_mean_density(profile, height, low, high);
+    double sampled = kInfinity;
+    constexpr int kSamples = 4000;
+    for (int k = 0; k <= kSamples; ++k) {
+      sampled = std::min(sampled, mean_density(profile, height, std::lerp(low, high, double(k) / kSamples)));
+    }
+    ASSERT_LE(least, sampled * (1 + 1e-14)) << i;
+    // Between two samples the mean changes by no more than its slope, at most the largest density over the distance.
+    const double apart = (high - low) / kSamples;
+    const double nearest = std::max({low - height, height - high, 0.0});
+    ASSERT_GE(least, sampled - largest_density(profile) * apart / std::max(nearest, apart)) << i;
+    const double everywhere = least_mean_density(profile, height, -kInfinity, kInfinity);
+    ASSERT_LE(everywhere, least * (1 + 1e-14)) << i;
+    ASSERT_GE(everywhere, smallest_density(profile) * (1 - 1e-14)) << i;
+  }
+}
+
 TEST(DensityProfile, LayerIsFullBetweenBaseAndTopAndItsTransitionBandsLieOutside) {
   const DensityProfile profile =
       profile_of_layers({FogLayer{.base = 200, .top = 300, .transition = 40, .visibility = 150}});
