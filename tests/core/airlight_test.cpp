@@ -925,9 +925,9 @@ TEST(AirlightBound, BoundOnAWholeRayIsNeverBelowItsAirlight) {
     const auto [constant, linear, quadratic] = light.attenuation;
     const glm::dvec3 to_light = c.light.position - c.ray.origin;
     const double eye_range = glm::length(to_light);
-    const double weight =
-        formulas::litfog_largest_fog_weight(double(c.atmosphere.fog.mode), c.atmosphere.fog.density,
-                                            c.atmosphere.fog.density, 2 * eye_range / 3, eye_range / 3);
+    const Fog& fog = c.atmosphere.fog;
+    const double weight = formulas::litfog_largest_fog_weight(
+        double(fog.mode), fog.density, fog.density * 2 * eye_range / 3, fog.density * eye_range / 3);
     const double offset = glm::length(glm::cross(to_light, c.ray.direction)) * (1 - 1e-12);
     const double bound =
         formulas::litfog_largest_airlight(weight, formulas::denominator(offset, constant, linear, quadratic), quadratic,

@@ -74,9 +74,9 @@ double ratio_to_stretch_bound(const AirlightCase& c) {
 double ratio_to_ray_bound(const AirlightCase& c) {
   const auto [constant, linear, quadratic] = c.light.light.attenuation;
   const double eye_range = glm::length(c.light.position);
-  const double weight =
-      formulas::litfog_largest_fog_weight(c.atmosphere.fog.mode == FogMode::exp ? 0.0 : 1.0, c.atmosphere.fog.density,
-                                          c.atmosphere.fog.density, 2 * eye_range / 3, eye_range / 3);
+  const Fog& fog = c.atmosphere.fog;
+  const double weight = formulas::litfog_largest_fog_weight(
+      double(fog.mode), fog.density, fog.density * 2 * eye_range / 3, fog.density * eye_range / 3);
   const double offset = std::abs(c.light.position.x) * (1 - 1e-12);
   const double bound =
       formulas::litfog_largest_airlight(weight, formulas::denominator(offset, constant, linear, quadratic), quadratic,

@@ -19,6 +19,7 @@ TEST(RenderAirlightBound, NoMoreThanTheBudgetComesFromBehindTheEnd) {
   for (int i = 0; i < 2000; ++i) {
     AirlightCase c = draw_airlight_case(random, random.pick(kModes), LampLeg::fogged);
     c.atmosphere.phase = draw_phase(random);
+    if (c.atmosphere.fog.mode == FogMode::exp && random.chance(0.5)) draw_layers(random, c);
     Light& light = c.light.light;
     light.color = glm::dvec3(random.log_uniform(0.01, 100));
     const double budget = random.log_uniform(1e-8, 1e-3);

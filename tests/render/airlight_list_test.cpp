@@ -52,12 +52,13 @@ TEST(AirlightList, RayBeyondTheReachShowsLessThanTheBudget) {
   Random random(11);
   int listed = 0;
   int beyond = 0;
-  for (int i = 0; i < 1000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const FogMode mode = random.pick(std::array{FogMode::exp, FogMode::exp2});
     AirlightCase c = draw_airlight_case(random, mode, LampLeg::fogged);
     Light& light = c.light.light;
     light.color = glm::dvec3(random.log_uniform(0.01, 100));
     c.atmosphere.phase = draw_phase(random);
+    if (mode == FogMode::exp && random.chance(0.5)) draw_layers(random, c);
     const AirlightList found = list(c.light, c.atmosphere, c.ray.origin);
     const double reach = found.entries.empty() ? 0 : double(found.entries.front().reach);
     listed += int(found.entries.size());
@@ -146,7 +147,8 @@ TEST(AirlightList, LightsAtTheEyeAndWithoutAnEndHaveFiniteNumbers) {
     ASSERT_EQ(found.entries.size(), 1u);
     const AirlightEntry& entry = found.entries.front();
     EXPECT_LE(entry.reach, 1e9f);
-    EXPECT_TRUE(std::isfinite(entry.bend_range) && std::isfinite(entry.width));
+    for (const float range : entry.bend_ranges) EXPECT_TRUE(std::isfinite(range));
+    EXPECT_TRUE(std::isfinite(entry.width));
   }
 }
 

@@ -4,18 +4,24 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 #include <numbers>
 
 #include "litfog/airlight.h"
 #include "litfog/attenuation.h"
 #include "litfog/formulas.h"
 #include "render/airlight/far_airlight_list.h"
-#include "render/light/hidden_range.h"
 #include "render/light/light_threshold.h"
+#include "render/plan/fog_top.h"
 
 namespace litfog::render {
 
 namespace {
+
+/// Metres from the light at which its bands of height end, besides at knots.
+constexpr std::array<double, 4> kBandEnds{2, 8, 32, 128};
+/// Where bands end between knots of different densities.
+constexpr std::array<double, 4> kRampParts{0.1, 0.3, 0.7, 0.9};
 
 constexpr double kSmallestAngle = 1e-4;  // radians: of the series, below which the peak of every lobe is flat
 
@@ -48,16 +54,43 @@ AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmo
                              const ScatteringBound& scattering, const glm::dvec3& eye, const PointGlow& glow)
     : attenuation_(light.light.attenuation),
       extent_(extent),
-      fog_(scaled(atmosphere.thinnest_fog(), light.light.density_scale)),
-      largest_density_(scaled(atmosphere.thickest_fog(), light.light.density_scale).density),
+      mode_(atmosphere.fog.mode),
       scattering_(&scattering),
       glow_(glow),
       brightness_(airlight_unit(atmosphere) * largest_component(light.light.color)),
       eye_range_(glm::distance(eye, light.position)) {
-  constexpr double kDensest = 1e6;  // as in light_airlight.glsl
-  fog_.density = std::min(fog_.density, kDensest);
-  largest_density_ = std::min(largest_density_, kDensest);
-  weight_ = weight(2 * eye_range_ / 3, eye_range_ / 3);
+  const double scale = light.light.density_scale;
+  const auto density_of = [&](const Fog& fog) {
+    constexpr double kDensest = 1e6;  // as in light_airlight.glsl
+    return std::min(scaled(fog, scale).density, kDensest);
+  };
+  largest_density_ = density_of(atmosphere.thickest_fog());
+  const auto add_band = [&](double lowest, double highest) {
+    const double density = atmosphere.fog.density + litfog::largest_density(atmosphere.profile, lowest, highest);
+    if (!(density > 0)) return;
+    const auto leg = [&](double height) {
+      return Leg{density_of(atmosphere.thinnest_fog_between(height, lowest, highest)),
+                 std::max({lowest - height, height - highest, 0.0})};
+    };
+    bands_[band_count_++] = {density_of({mode_, density}), leg(eye.y), leg(light.position.y)};
+  };
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  std::array<double, kMaxBands + 1> ends{-kInfinity, kInfinity};
+  std::size_t end_count = 2;
+  const std::span<const DensityKnot> knots = atmosphere.profile.used();
+  for (std::size_t i = 0; i < knots.size(); ++i) {
+    ends[end_count++] = knots[i].height;
+    if (i + 1 == knots.size() || knots[i].density == knots[i + 1].density) continue;
+    for (const double part : kRampParts) ends[end_count++] = std::lerp(knots[i].height, knots[i + 1].height, part);
+  }
+  if (atmosphere.profile.count > 0) {
+    for (const double apart : kBandEnds) {
+      ends[end_count++] = light.position.y - apart;
+      ends[end_count++] = light.position.y + apart;
+    }
+  }
+  std::sort(ends.begin(), ends.begin() + std::ptrdiff_t(end_count));
+  for (std::size_t i = 0; i + 1 < end_count; ++i) add_band(ends[i], ends[i + 1]);
 }
 
 double AirlightBound::angle_at(double distance) const {
@@ -66,15 +99,16 @@ double AirlightBound::angle_at(double distance) const {
 
 double AirlightBound::most_at(double distance) const {
   const auto [constant, linear, quadratic] = attenuation_;
+  const double weight = largest_weight(0, distance);
   const double isotropic = formulas::litfog_largest_airlight(
-      weight_, formulas::denominator(distance, constant, linear, quadratic), quadratic, 2 * extent_);
+      weight, formulas::denominator(distance, constant, linear, quadratic), quadratic, 2 * extent_);
   return brightness_ * std::min(largest_phase_at(distance) * isotropic,
-                                weight_ * scattering_->integral_from(angle_at(distance)) / (quadratic * distance));
+                                weight * scattering_->integral_from(angle_at(distance)) / (quadratic * distance));
 }
 
 double AirlightBound::reach(double budget) const {
   double high = reach_where_phase_is(largest_phase_at(0), budget);
-  if (scattering_->is_isotropic() || !(high > 0)) return high;
+  if ((scattering_->is_isotropic() && band_count_ == 1) || !(high > 0)) return high;
   double low = 0;
   for (int i = 0; i < 40 && high > 1.01 * low; ++i) {
     const double middle = low > 0 ? std::sqrt(low * high) : high / 8;
@@ -84,10 +118,11 @@ double AirlightBound::reach(double budget) const {
 }
 
 double AirlightBound::reach_where_phase_is(double phase, double budget) const {
-  if (!(weight_ > 0)) return 0;
+  const double weight = largest_weight(0, 0);
+  if (!(weight > 0)) return 0;
   const double most = phase * brightness_ / budget;
-  const double root = 4 * weight_ * most;
-  const double denominator = std::min({most, 2 * extent_ * weight_ * most, root * root / attenuation_.quadratic});
+  const double root = 4 * weight * most;
+  const double denominator = std::min({most, 2 * extent_ * weight * most, root * root / attenuation_.quadratic});
   if (!(denominator > std::max(attenuation_.constant, 1.0))) return 0;
   return std::min({compute_extent(attenuation_, 1 / denominator), extent_, kFarthestReach});
 }
@@ -96,10 +131,18 @@ double AirlightBound::end(double budget) const {
   const double integral =
       formulas::litfog_largest_attenuation_integral(attenuation_.constant, attenuation_.quadratic, 2 * extent_);
   const auto end_where_phase_is = [&](double phase) {
-    const double x = hidden_range(fog_, phase * brightness_ * weight(0, 0) * integral, budget);
-    if (fog_.mode == FogMode::exp) return eye_range_ >= x ? 0 : (x + eye_range_) / 2;
-    const double square = 6 * x * x - 2 * eye_range_ * eye_range_;
-    return square <= 0 ? 0 : (2 * eye_range_ + std::sqrt(square)) / 3;
+    const double most = phase * brightness_ * integral;
+    const auto is_beyond = [&](double distance) {
+      return most * largest_weight(distance, std::max(distance - eye_range_, 0.0)) <= budget;
+    };
+    if (is_beyond(0)) return 0.0;
+    double low = 0, high = kSkyDistance;
+    if (!is_beyond(high)) return std::numeric_limits<double>::infinity();
+    while (high > 1.01 * low && high > 1e-3) {
+      const double middle = low > 0 ? std::sqrt(low * high) : high / 8;
+      (is_beyond(middle) ? high : low) = middle;
+    }
+    return high;
   };
   const double beyond_light = end_where_phase_is(largest_phase_at(eye_range_));
   if (beyond_light >= eye_range_) return beyond_light;
@@ -122,18 +165,18 @@ double AirlightBound::far_peak_reach(double budget) const {
 }
 
 double AirlightBound::glow_at(double depth, double angle) const {
-  return brightness_ * glow_.intensity * fog_.density * fog_.density * scattered_at(*glow_.table, depth, angle);
+  return brightness_ * glow_.intensity * largest_density_ * largest_density_ * scattered_at(*glow_.table, depth, angle);
 }
 
 double AirlightBound::higher_orders(double distance) const {
   if (!glow_.table) return 0;
-  const double depth = fog_.density * std::abs(distance - eye_range_);
-  return fog_factor_at(fog_, distance) * glow_at(depth, FarAirlightList::kPeakAngle);
+  const double depth = largest_density_ * std::abs(distance - eye_range_);
+  return fog_factor_at({mode_, largest_density_}, distance) * glow_at(depth, FarAirlightList::kPeakAngle);
 }
 
 double AirlightBound::higher_orders_reach(double budget) const {
   if (!glow_.table) return 0;
-  const double depth = fog_.density * eye_range_;
+  const double depth = largest_density_ * eye_range_;
   const double left_out = glow_at(depth, FarAirlightList::kPeakAngle);
   const auto peak_at = [&](double angle) { return glow_at(depth, angle) - left_out; };
   double low = 0, high = FarAirlightList::kPeakAngle;
@@ -147,27 +190,49 @@ double AirlightBound::higher_orders_reach(double budget) const {
 
 double AirlightBound::beyond_extent(double distance) const {
   const double range = std::max(extent_, distance - eye_range_);
-  const double beyond =
-      attenuation_at(attenuation_, range) * fog_factor_at(fog_, range) * fog_factor_at(fog_, distance);
-  const double largest_weight = std::min(weight_, weight(distance, range));
-  return brightness_ * std::min(beyond, largest_weight * std::numbers::pi / (attenuation_.quadratic * range));
+  double through = 0;
+  for (const Band& band : bands()) through += left(band, distance, range);
+  return brightness_ * std::min(attenuation_at(attenuation_, range) * through,
+                                largest_weight(distance, range) * std::numbers::pi / (attenuation_.quadratic * range));
 }
 
 double AirlightBound::width() const { return compute_extent(attenuation_, 0.5 / std::max(attenuation_.constant, 1.0)); }
 
 double AirlightBound::flat_range() const { return 0.5 * std::min(width(), 0.5 / largest_density_); }
 
-double AirlightBound::k(double distance) const {
+double AirlightBound::k(const Band& band, double distance) const {
   // h^-3, as the airlight of a narrow lobe falls, has 15 times the fourth derivative of h^-1.
   const double bends =
       scattering_->is_isotropic() ? 1 : 15 * scattering_->integral_from(angle_at(distance)) / std::numbers::pi;
   const double slope = std::max(attenuation_.quadratic, attenuation_.linear / std::max(width(), 1e-3));
-  const double single = bends * brightness_ * weight_ * 4 / std::max(slope, 1e-30);
-  return glow_.table ? single + distance * glow_at(fog_.density * eye_range_, angle_at(distance)) : single;
+  const double single = bends * brightness_ * weight(band, 0, distance) * 4 / std::max(slope, 1e-30);
+  return glow_.table ? single + distance * glow_at(largest_density_ * eye_range_, angle_at(distance)) : single;
 }
 
-double AirlightBound::weight(double seen, double lit) const {
-  return formulas::litfog_largest_fog_weight(double(fog_.mode), fog_.density, largest_density_, seen, lit);
+AirlightBound::Distances AirlightBound::optical(const Band& band, double seen, double lit) const {
+  seen = std::max(seen, band.seen.nearest);
+  lit = std::max(lit, band.lit.nearest);
+  const double rest = std::max(eye_range_ - seen - lit, 0.0);
+  // The rest of the way is where it counts least: in exp fog on the thinner leg, in exp2 fog so that s is up to 2 r.
+  const double on_seen = mode_ == FogMode::exp ? (band.seen.density < band.lit.density ? rest : 0)
+                                               : std::clamp(2 * eye_range_ / 3 - seen, 0.0, rest);
+  return {band.seen.density * (seen + on_seen), band.lit.density * (lit + rest - on_seen)};
+}
+
+double AirlightBound::left(const Band& band, double seen, double lit) const {
+  return fog_factor_at({mode_, band.seen.density}, std::max(seen, band.seen.nearest)) *
+         fog_factor_at({mode_, band.lit.density}, std::max(lit, band.lit.nearest));
+}
+
+double AirlightBound::weight(const Band& band, double seen, double lit) const {
+  const auto [x, y] = optical(band, seen, lit);
+  return formulas::litfog_largest_fog_weight(double(mode_), band.density, x, y);
+}
+
+double AirlightBound::largest_weight(double seen, double lit) const {
+  double largest = 0;
+  for (const Band& band : bands()) largest = std::max(largest, weight(band, seen, lit));
+  return largest;
 }
 
 }  // namespace litfog::render

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "litfog/atmosphere.h"
 #include "litfog/light.h"
@@ -36,12 +37,24 @@ struct PointGlow {
 
 /// Upper bounds of a light's airlight, in the largest component of its colour; both legs lead through the fog. s is the
 /// distance from the eye, r that from the light, L from the eye to the light. litfog/shaders/airlight_bound.glsl bounds
-/// the fog's weight -f'(s) f(r) and the attenuation's integral. Along a ray the angle of scattering rises from the
+/// the fog's weight -f'(s) f(r) and the attenuation's integral. In layers the weight's bound is the largest of those of
+/// bands of height between knots: fog of a band is at least so far away as the band, and no thinner on either leg than
+/// Atmosphere::thinnest_fog_between(). Along a ray the angle of scattering rises from the
 /// angle between the ray and the vector to the light, so that a ray which passes the light at a distance h has the
 /// phase function of asin(h / L) and of larger angles only, and beyond the light that of right angles and larger ones.
 class AirlightBound {
  public:
   static constexpr double kFarthestReach = 1e9;  ///< metres, for lights without an end: floats hold its square
+
+  /// The way from the eye or from the light to fog of a band of height.
+  struct Leg {
+    double density;  ///< at least that of the fog on it, 1/m
+    double nearest;  ///< metres
+  };
+  struct Band {
+    double density;  ///< the largest of its fog
+    Leg seen, lit;
+  };
 
   /// extent  of the light, metres
   ///
@@ -62,14 +75,13 @@ class AirlightBound {
   /// Distance R from the eye beyond which the rest of no ray has more than a budget of airlight from within the extent
   /// or of far_peak_reach(). Metres, 0 where no ray has more, infinity where some always do.
   ///
-  /// Proof. At s >= R, s + r is at least L and at least 2 R - L; s^2 / 2 + r^2 is at least L^2 / 3 and, for
-  /// R >= 2 L / 3, at least R^2 / 2 + (R - L)^2. By these the weight is bounded.
+  /// Proof. At s >= R, r is at least R - L. By these the weight is bounded.
   double end(double budget) const;
 
   /// What the light adds beyond its extent to a ray from a distance S from the eye on, in isotropic fog.
   ///
-  /// Proof. With R the larger of the extent and S - L, r >= R. The weights -f'(s) of the eye's leg sum to at most f(S),
-  /// so that the light adds at most a(R) f(R) f(S). Where -f'(s) f(r) is at most w, it also adds at most w pi / (Q R):
+  /// Proof. With R the larger of the extent and S - L, r >= R. The weights -f'(s) of the eye's leg in a band sum to at
+  /// most f(S), so that the light adds at most the sum over the bands of a(R) f(R) f(S). Where -f'(s) f(r) is at most w, it also adds at most w pi / (Q R):
   /// a(r) <= 1 / (Q r^2), and the integral of 1 / r^2 over what is outside the ball of radius R is largest on the line
   /// that touches it.
   double beyond_extent(double distance) const;
@@ -91,9 +103,12 @@ class AirlightBound {
   /// Metres from the light within which its airlight is flat: half of the falloff's width, or less in dense fog.
   double flat_range() const;
 
-  /// k, where the airlight at a distance h from the light is about k / h, near a distance; of one that falls off by a
-  /// higher power, the k of which k / h bends as much. Metres.
-  double k(double distance) const;
+  /// All heights with fog. Without layers there is one, with no fog none.
+  std::span<const Band> bands() const { return std::span(bands_).first(band_count_); }
+
+  /// k, where the airlight of a band's fog at a distance h from the light is about k / h, near a distance; of one that
+  /// falls off by a higher power, the k of which k / h bends as much. Metres.
+  double k(const Band& band, double distance) const;
 
  private:
   double angle_at(double distance) const;  // smallest of scattering, for rays that pass the light at a distance
@@ -101,18 +116,27 @@ class AirlightBound {
   double glow_at(double depth, double angle) const;
   double most_at(double distance) const;  // airlight of rays that pass the light at a distance
   double reach_where_phase_is(double phase, double budget) const;
-  double weight(double seen, double lit) const;
   double width() const;  // metres: the falloff's
+  struct Distances {
+    double seen, lit;
+  };
+  /// The optical distances of litfog_largest_fog_weight(), where s >= seen, r >= lit and s + r >= L.
+  Distances optical(const Band& band, double seen, double lit) const;
+  double weight(const Band& band, double seen, double lit) const;
+  double left(const Band& band, double seen, double lit) const;  // f(s) f(r), at most
+  double largest_weight(double seen, double lit) const;
 
   Attenuation attenuation_;
   double extent_;
-  Fog fog_;  // the thinnest, as the light's class sees it
+  FogMode mode_;
+  static constexpr std::size_t kMaxBands = 5 * kMaxDensityKnots + 9;
+  std::array<Band, kMaxBands> bands_;  // as the light's class sees them
+  std::size_t band_count_ = 0;
   double largest_density_;
   const ScatteringBound* scattering_;
   PointGlow glow_;
   double brightness_;  // in isotropic fog
   double eye_range_;
-  double weight_;  // of any ray
 };
 
 }  // namespace litfog::render

@@ -44,7 +44,6 @@ FramePlanner::FramePlanner(const scene::Scene& scene, const SceneLights& lights,
 void FramePlanner::set_atmosphere(const Atmosphere& atmosphere, bool is_fog_lit,
                                   std::span<const std::int32_t> shaft_casters) {
   atmosphere_ = atmosphere;
-  thinnest_fog_ = atmosphere.thinnest_fog();
   is_fog_lit_ = is_fog_lit;
   shaft_casters_ = shaft_casters;
   fog_states_.resize(surfaces_.surfaces().size());
@@ -63,7 +62,9 @@ const FramePlan& FramePlanner::plan(const FrameView& view) {
   has_changed_ = view_ != view || is_new_environment;
   if (!has_changed_) return plan_;
   // Without a view, the atmosphere is another.
-  if (!view_ || view_->exposures.surfaces != view.exposures.surfaces || is_new_environment) {
+  const bool is_at_another_height =
+      view_ && atmosphere_.profile.count > 0 && view_->camera.position.y != view.camera.position.y;
+  if (!view_ || view_->exposures.surfaces != view.exposures.surfaces || is_new_environment || is_at_another_height) {
     step_ = visible_step(view.exposures.surfaces);
     ++fog_number_;
   }
@@ -126,14 +127,20 @@ double FramePlanner::hidden_range_of(std::size_t index) {
     const PlacedLight& placed = lights_.lights()[light];
     const double strength =
         surface.material->reflectance * largest_component(placed.light.color) *
-        largest_irradiance(placed.light, placed.position, surfaces_.range_of(lights_.extents()[light]), thinnest_fog_,
-                           settings_.fog_lighting, *settings_.path, surface.bounds);
+        largest_irradiance(placed.light, placed.position, surfaces_.range_of(lights_.extents()[light]),
+                           fog_before(placed.position.y, surface.bounds), settings_.fog_lighting, *settings_.path,
+                           surface.bounds);
     strengths_[std::size_t(surface.list_first) + i] = float(strength);
     brightness += strength;
   }
   const double fog = largest_component(atmosphere_.ambient_fog_color);
-  state = {fog_number_, float(hidden_range(thinnest_fog_, brightness + fog, kHiddenShare * step_))};
+  const Fog before = fog_before(view_->camera.position.y, surface.bounds);
+  state = {fog_number_, float(hidden_range(before, brightness + fog, kHiddenShare * step_))};
   return double(state.hidden_range);
+}
+
+Fog FramePlanner::fog_before(double height, const scene::Bounds& box) const {
+  return atmosphere_.thinnest_fog_between(height, double(box.low.y), double(box.high.y));
 }
 
 PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out) {
@@ -223,7 +230,7 @@ void FramePlanner::plan_visible(const FrameView& view) {
   const double fog_above_eye = atmosphere_.top_above(view.camera.position.y);
   const double fog_color = largest_component(atmosphere_.ambient_fog_color);
   const double moonlight = moonlight_in_fog();
-  const double sky_range = hidden_range(thinnest_fog_, sky_brightness() + fog_color, kHiddenShare * step_);
+  const double sky_range = hidden_range(atmosphere_.thinnest_fog(), sky_brightness() + fog_color, kHiddenShare * step_);
   if (view.highest_slope <= slope_in_fog(fog_above_eye, sky_range)) {
     counts.sky = is_fog_lit_ || moonlight > 0 ? SkyDrawing::fog : SkyDrawing::background;
   }
@@ -236,7 +243,7 @@ void FramePlanner::plan_visible(const FrameView& view) {
     hidden_from = std::max(hidden_from, std::min(each.farthest, each.hidden_range) * kRounding);
   }
   const double fog_range =  // the sky's, with the moon's airlight before it
-      hidden_range(thinnest_fog_, sky_brightness() + fog_color + moonlight, kHiddenShare * step_);
+      hidden_range(atmosphere_.thinnest_fog(), sky_brightness() + fog_color + moonlight, kHiddenShare * step_);
   const double left_out_from = std::max(
       {hidden_from, fog_range, airlight_end_from(view.camera.position, kBehindShare * step_), points.hidden_by});
   const double highest_left_out = slope_in_fog(fog_above_eye, left_out_from);
@@ -245,7 +252,7 @@ void FramePlanner::plan_visible(const FrameView& view) {
     const Surface& surface = surfaces_.surfaces()[each.surface];
     const bool has_mapped_fog = settings_.path->has_mapped_fog() && surface.is_fog_lit;
     if (!hides || has_mapped_fog || each.nearest < each.hidden_range) {
-      const double through = fog_factor_at(thinnest_fog_, each.nearest);
+      const double through = fog_factor_at(fog_before(view.camera.position.y, surface.bounds), each.nearest);
       plan_.surfaces.push_back(list_lights(each.surface, hides ? kSurfaceLightShare * step_ / through : -1));
       ++counts.chunks_drawn;
     } else if (each.nearest < left_out_from || can_be_lit_from(view.camera.position, surface, left_out_from) ||

@@ -110,7 +110,7 @@ class FramePlanner {
   FramePlan plan_geometry(const glm::mat4& clip_from_world) const;
 
  private:
-  /// Cached per surface: the range at which fog hides it.
+  /// Cached per surface: the range at which fog hides it from the eye's height.
   struct SurfaceFogState {
     unsigned fog_number = 0;  // fog_number_ for which the state holds
     float hidden_range = 0;
@@ -129,6 +129,8 @@ class FramePlanner {
   std::vector<SurfaceInView> find_surfaces_in_view(const glm::dvec3& eye, const Frustum& frustum);
   /// The range from which on fog hides a surface. Also updates the surface's strengths_.
   double hidden_range_of(std::size_t surface);
+  /// Fog no thinner than that between a height and a box.
+  Fog fog_before(double height, const scene::Bounds& box) const;
   /// Whether carried lights can light the fog by their intensity on a ray through the surface, from a range on.
   bool can_be_lit_from(const glm::dvec3& eye, const Surface& surface, double range) const;
   /// PointView's.
@@ -145,7 +147,6 @@ class FramePlanner {
   const SurfaceList& surfaces_;
   RenderSettings settings_;
   Atmosphere atmosphere_;
-  Fog thinnest_fog_;  // of the atmosphere, for bounds
   bool is_fog_lit_ = false;
   std::span<const std::int32_t> shaft_casters_;
   unsigned fog_number_ = 1;

@@ -12,22 +12,20 @@
 #define LITFOG_FUNCTION
 #endif
 
-// An upper bound of the fog's weight -f'(s) f(r)^k, 1/m, where s + k r (exp fog) or s^2 / 2 + k r^2 (exp2 fog) is at
-// least that of two distances: `seen` in place of s, and `lit` in place of k r. The densities are those of the thinnest
-// and of the thickest fog on the way, equal in exp2 fog.
+// An upper bound of the fog's weight -f'(s) f(r)^k, 1/m, in fog of at most a density, where x + y (exp fog) or
+// x^2 / 2 + y^2 (exp2 fog) is at least that of two optical distances: `seen` in place of x = d s, and `lit` in place of
+// y = k d r. In exp fog the d of each leg may be that of the thinnest fog on it.
 //
-// Proof. In exp fog the weight is d e^(-depth), with d at most that of the thickest fog, and the depth at least s + k r
-// times that of the thinnest. In exp2 fog it is 2 d^2 s e^(-(d s)^2 - k (d r)^2), and 2 x e^(-x^2 / 2) <= 1.2131.
+// Proof. In exp fog the weight is d e^(-x - y). In exp2 fog it is 2 d x e^(-x^2 - y^2), and 2 x e^(-x^2 / 2) <= 1.2131.
 //
 // On any ray s + r >= L, the distance from the eye to the lamp. Of all s + r = L, s = 2 L / 3 and r = L / 3 have the
 // least s^2 / 2 + r^2, which is L^2 / 3: these two distances bound the weight everywhere.
 // Depths above 80 count as 80, so that an endless light is bounded, too.
-LITFOG_FUNCTION LITFOG_REAL litfog_largest_fog_weight(LITFOG_REAL mode, LITFOG_REAL thinnest, LITFOG_REAL thickest,
-                                                      LITFOG_REAL seen, LITFOG_REAL lit) {
-  if (litfog_is_exp(mode)) return thickest * exp(-min(thinnest * (seen + lit), LITFOG_REAL(80.0)));
-  LITFOG_REAL x = thickest * seen;
-  LITFOG_REAL y = thickest * lit;
-  return thickest * (LITFOG_REAL(1.2131) * exp(-min(LITFOG_REAL(0.5) * x * x + y * y, LITFOG_REAL(80.0))));
+LITFOG_FUNCTION LITFOG_REAL litfog_largest_fog_weight(LITFOG_REAL mode, LITFOG_REAL density, LITFOG_REAL seen,
+                                                      LITFOG_REAL lit) {
+  if (litfog_is_exp(mode)) return density * exp(-min(seen + lit, LITFOG_REAL(80.0)));
+  LITFOG_REAL depth = LITFOG_REAL(0.5) * seen * seen + lit * lit;
+  return density * (LITFOG_REAL(1.2131) * exp(-min(depth, LITFOG_REAL(80.0))));
 }
 
 // An upper bound of the attenuation's integral along a line of a size, metres, where the attenuation's denominator is
