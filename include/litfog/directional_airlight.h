@@ -2,6 +2,7 @@
 #pragma once
 
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "litfog/airlight.h"
 #include "litfog/atmosphere.h"
@@ -26,18 +27,26 @@ double directional_fog_factor(const Atmosphere& atmosphere, const glm::dvec3& to
 /// Largest relative error of directional_airlight.
 inline constexpr double kDirectionalAirlightMaxError = 1e-11;
 
-/// Airlight of a directional light along a ray: the fraction that the fog scatters into the eye,
+/// Airlight of a directional light along rays: the fraction that the fog scatters into the eye,
 ///   A = integral over s in [0, D] of  d(s) e^(-depth from the eye - depth to the light) phase(theta)  ds,
 /// in closed form, derived in litfog/shaders/directional_airlight.glsl. A white surface that faces the light outside
 /// the fog shows colour, the fog airlight_unit() * colour * A. It is single scattering: the ambient fog colour stands
-/// for the light that is scattered more often, and for other light.
+/// for the light that is scattered more often, and for other light. Columns of
+/// different lengths are a bug of the caller and assert.
 ///
 /// atmosphere  exp fog, as directional_fog_factor() takes it
 /// to_light    unit within kDirectionTolerance
-/// ray         as for a lamp; to the sky its length is that up to the top, where there is one, or infinite
-/// returns     [0, largest_phase()]
+/// rays        as for a lamp; to the sky their length is that up to the top, where there is one, or infinite
+/// airlights   [0, largest_phase()]
 /// max error   kDirectionalAirlightMaxError                                             (directional_airlight_test.cpp)
-/// throws      std::invalid_argument naming field, value and rule
-double directional_airlight(const Atmosphere& atmosphere, const glm::dvec3& to_light, const EyeRay& ray);
+/// throws      std::invalid_argument naming field, value and rule, before any result is written
+void directional_airlight(const Atmosphere& atmosphere, const glm::dvec3& to_light, std::span<const EyeRay> rays,
+                          std::span<double> airlights);
+
+inline double directional_airlight(const Atmosphere& atmosphere, const glm::dvec3& to_light, const EyeRay& ray) {
+  double airlight = 0;
+  directional_airlight(atmosphere, to_light, {&ray, 1}, {&airlight, 1});
+  return airlight;
+}
 
 }  // namespace litfog

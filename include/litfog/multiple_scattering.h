@@ -132,14 +132,26 @@ struct DiffuseLight {
   }
 };
 
-/// What the fog around a place has scattered of a lamp's light, once or more often. Irradiances are in the unit of
-/// a(r) cone(u) f(r) cos, which a surface receives from the lamp itself.
+/// What is wrong with a diffuse light, or nothing: `all` is in [0, 1e100], and a component of the flow at most 1e100 in
+/// magnitude.
+std::optional<ValueError> find_error(const DiffuseLight& light);
+
+/// What the fog around places has scattered of a lamp's light, once or more often. Irradiances are in the unit of
+/// a(r) cone(u) f(r) cos, which a surface receives from the lamp itself. Columns of different lengths are a bug of the
+/// caller and assert.
 ///
-/// source    the light's
-/// position  of the place, metres
-/// throws    std::invalid_argument naming field, value and rule
-DiffuseLight scattered_light(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
-                             const glm::dvec3& position);
+/// source     the light's
+/// positions  of the places, metres
+/// throws     std::invalid_argument naming field, value and rule, before any result is written
+void scattered_light(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
+                     std::span<const glm::dvec3> positions, std::span<DiffuseLight> scattered);
+
+inline DiffuseLight scattered_light(const PlacedLight& light, const ScatteringSource& source,
+                                    const Atmosphere& atmosphere, const glm::dvec3& position) {
+  DiffuseLight scattered;
+  scattered_light(light, source, atmosphere, {&position, 1}, {&scattered, 1});
+  return scattered;
+}
 
 /// Largest error of the irradiance() of a point lamp's scattered_light(), as a fraction of (1 - f) I / r^2, what of the
 /// lamp's light is scattered on a distance r with the fog factor f; and of the sum of several lamps', which is largest

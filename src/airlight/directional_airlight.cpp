@@ -2,6 +2,7 @@
 #include "litfog/directional_airlight.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
@@ -66,17 +67,24 @@ double directional_fog_factor(const Atmosphere& atmosphere, const glm::dvec3& to
   return std::exp(-text.litfog_depth_to_light(density, height, glm::normalize(to_light).y, atmosphere.top));
 }
 
-double directional_airlight(const Atmosphere& atmosphere, const glm::dvec3& to_light, const EyeRay& ray) {
+void directional_airlight(const Atmosphere& atmosphere, const glm::dvec3& to_light, std::span<const EyeRay> rays,
+                          std::span<double> airlights) {
+  assert(rays.size() == airlights.size());
   require_all(atmosphere, to_light);
-  require(find_error(ray));
-  const glm::dvec3 direction = glm::normalize(ray.direction);
+  for (const EyeRay& ray : rays) require(find_error(ray));
   const glm::dvec3 light = glm::normalize(to_light);
-  const glm::dvec3 turn = direction - light;
-  const double length = finite_length(atmosphere, ray.origin.y, direction.y, ray.length);
   const double density = std::min(atmosphere.fog.density, kTotalFog);
+  const auto phase = phase_text::pack<double>(atmosphere.phase);
   DirectionalText text{{atmosphere.profile}};
-  return phase_text::litfog_phase(phase_text::pack<double>(atmosphere.phase), glm::dot(turn, turn) / 2) *
-         text.litfog_directional_scattering(density, ray.origin.y, direction.y, length, light.y, atmosphere.top);
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const EyeRay& ray = rays[i];
+    const glm::dvec3 direction = glm::normalize(ray.direction);
+    const glm::dvec3 turn = direction - light;
+    const double length = finite_length(atmosphere, ray.origin.y, direction.y, ray.length);
+    airlights[i] =
+        phase_text::litfog_phase(phase, glm::dot(turn, turn) / 2) *
+        text.litfog_directional_scattering(density, ray.origin.y, direction.y, length, light.y, atmosphere.top);
+  }
 }
 
 }  // namespace litfog

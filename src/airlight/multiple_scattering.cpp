@@ -263,25 +263,44 @@ double multiple_scattering(const PlacedLight& light, const ScatteringSource& sou
                                             : text.litfog_multiple_scattering(air));
 }
 
-DiffuseLight scattered_light(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
-                             const glm::dvec3& position) {
+std::optional<ValueError> find_error(const DiffuseLight& light) {
+  constexpr double kMost = 1e100;  // the square has a double
+  if (!(light.all >= 0 && light.all <= kMost)) return ValueError{"all", light.all, "must be in [0, 1e100]"};
+  for (int i = 0; i < 3; ++i) {
+    constexpr const char* kFields[] = {"flow.x", "flow.y", "flow.z"};
+    if (!(std::abs(light.flow[i]) <= kMost)) {
+      return ValueError{kFields[i], light.flow[i], "must be at most 1e100 in magnitude"};
+    }
+  }
+  return std::nullopt;
+}
+
+void scattered_light(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
+                     std::span<const glm::dvec3> positions, std::span<DiffuseLight> scattered) {
+  assert(positions.size() == scattered.size());
   require(find_error(light));
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
-  require(find_position_error(position, {"position.x", "position.y", "position.z"}));
-  const glm::dvec3 offset = position - light.position;
-  const double range = glm::length(offset);
-  if (!(source.intensity > 0) || !(range > 0)) return {};
-  const glm::dvec3 away = offset / range, axis = glm::normalize(light.direction);
-  const double cosine = std::clamp(glm::dot(away, axis), -1.0, 1.0);
-  const glm::dvec3 turned = away * cosine - axis;
-  const double sine = glm::length(turned);
+  for (const glm::dvec3& position : positions) {
+    require(find_position_error(position, {"position.x", "position.y", "position.z"}));
+  }
   const NoCookie no_cookie;
   ScatteringText text{{no_cookie}, nullptr, &source.beam};
   const double density = unchecked::scaled(atmosphere.fog, light.light.density_scale).density;
-  const auto scattered = text.litfog_scattered_light(density * range, range, 0, cosine);
-  const glm::dvec3 flow = scattered.radial * away + (sine > 0 ? scattered.turned / sine * turned : glm::dvec3(0.0));
-  return source.intensity * DiffuseLight{.all = scattered.all, .flow = flow};
+  const glm::dvec3 axis = glm::normalize(light.direction);
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const glm::dvec3 offset = positions[i] - light.position;
+    const double range = glm::length(offset);
+    scattered[i] = {};
+    if (!(source.intensity > 0) || !(range > 0)) continue;
+    const glm::dvec3 away = offset / range;
+    const double cosine = std::clamp(glm::dot(away, axis), -1.0, 1.0);
+    const glm::dvec3 turned = away * cosine - axis;
+    const double sine = glm::length(turned);
+    const auto found = text.litfog_scattered_light(density * range, range, 0, cosine);
+    const glm::dvec3 flow = found.radial * away + (sine > 0 ? found.turned / sine * turned : glm::dvec3(0.0));
+    scattered[i] = source.intensity * DiffuseLight{.all = found.all, .flow = flow};
+  }
 }
 
 double irradiance(const DiffuseLight& light, const glm::dvec3& normal) {

@@ -18,6 +18,7 @@
 #include "litfog/light_bounds.h"
 #include "litfog/light_clusters.h"
 #include "litfog/multiple_scattering.h"
+#include "litfog/scattered_beam.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
 #include "litfog/view_frustum.h"
@@ -61,6 +62,10 @@ LITFOG_COUNTERPART(litfog_fog_layer, FogLayer, base, top, transition, visibility
 LITFOG_COUNTERPART(litfog_atmosphere, Atmosphere, fog, phase, albedo, top, ambient_fog_color, profile);
 LITFOG_COUNTERPART(litfog_eye_ray, EyeRay, origin, direction, length);
 LITFOG_COUNTERPART(litfog_scattering_table, ScatteringTable, logs);
+LITFOG_COUNTERPART(litfog_thin_beam, ThinBeams::Row, share, radial, turned, forward);
+LITFOG_COUNTERPART(litfog_thin_beams, ThinBeams, rows);
+LITFOG_COUNTERPART(litfog_scattered_beam, ScatteredBeam, texels);
+LITFOG_COUNTERPART(litfog_diffuse_light, DiffuseLight, all, flow);
 LITFOG_COUNTERPART(litfog_fog_light_kind, FogLightKind, attenuation_extent, cone_scale_intensity);
 LITFOG_COUNTERPART(litfog_fog_light_instance, FogLightInstance, position_kind, axis_profile, color);
 LITFOG_COUNTERPART(litfog_fog_header, FogHeader, fog, ambient_fog_color, phase_lobes, density_knots);
@@ -102,7 +107,9 @@ static_assert(LITFOG_CONTRAST_MOR == kContrastMor && LITFOG_CONTRAST_KOSCHMIEDER
               LITFOG_MAX_POSITION == kMaxPosition && LITFOG_DIRECTION_TOLERANCE == kDirectionTolerance &&
               LITFOG_MAX_FLASHES == kMaxFlashes && LITFOG_MAX_FOG_LIGHTS == kMaxFogLights &&
               LITFOG_MAX_DENSITY_KNOTS == kMaxDensityKnots && LITFOG_SCATTERING_DEPTHS == kScatteringDepths &&
-              LITFOG_SCATTERING_ANGLES == kScatteringAngles && LITFOG_DEFAULT_SKIP_BUDGET_255 == kDefaultSkipBudget255);
+              LITFOG_SCATTERING_ANGLES == kScatteringAngles && LITFOG_BEAM_ORDERS == kBeamOrders &&
+              LITFOG_BEAM_DEPTHS == kBeamDepths && LITFOG_BEAM_ANGLES == kBeamAngles &&
+              LITFOG_DEFAULT_SKIP_BUDGET_255 == kDefaultSkipBudget255);
 
 /// A C struct as its C++ counterpart. Its enumerators are not checked here (c/convert.h).
 template <typename C>

@@ -19,11 +19,13 @@
 #include "litfog/batch.h"
 #include "litfog/color_temperature.h"
 #include "litfog/cone.h"
+#include "litfog/directional_airlight.h"
 #include "litfog/flash.h"
 #include "litfog/fog.h"
 #include "litfog/light.h"
 #include "litfog/multiple_scattering.h"
 #include "litfog/runway_visual_range.h"
+#include "litfog/scattered_beam.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
 #include "model/float_limit.h"
@@ -371,20 +373,94 @@ py::object airlights_of(PlacedLight light, Atmosphere atmosphere, const py::obje
   return along_rays(rays, out, [&](auto from, auto to) { airlight(light, atmosphere, from, lamp_leg, to); });
 }
 
+py::object directional_airlights_of(Atmosphere atmosphere, const glm::dvec3& to_light, const py::object& rays,
+                                    const py::object& out) {
+  return along_rays(rays, out, [&](auto from, auto to) { directional_airlight(atmosphere, to_light, from, to); });
+}
+
 py::array_t<float> scattering_table_of(const Atmosphere& atmosphere) {
   const ScatteringTable table = make_scattering_table(atmosphere);
   return py::array_t<float>({kScatteringDepths, kScatteringAngles}, table.logs[0].data());
 }
 
-py::object scattering_along(PlacedLight light, Atmosphere atmosphere, const py::object& table, const py::object& rays,
-                            const py::object& out) {
+ScatteringTable take_table(const py::object& table) {
   const py::array given = take_array(table, "table", py::dtype::of<float>(), false);
   if (given.ndim() != 2 || given.shape(0) != kScatteringDepths || given.shape(1) != kScatteringAngles) {
     throw py::value_error("table: must be one of make_scattering_table, has the shape " + str_of(given.attr("shape")));
   }
   ScatteringTable copy;
   std::memcpy(&copy, given.data(), sizeof copy);
+  return copy;
+}
+
+py::object scattering_along(PlacedLight light, Atmosphere atmosphere, const py::object& table, const py::object& rays,
+                            const py::object& out) {
+  const ScatteringTable copy = take_table(table);
   return along_rays(rays, out, [&](auto from, auto to) { multiple_scattering(light, atmosphere, copy, from, to); });
+}
+
+static_assert(sizeof(ThinBeams::Row) == (3 * kBeamOrders + 1) * sizeof(double) &&
+              sizeof(ScatteredBeam::Texel) == 4 * sizeof(float) && sizeof(DiffuseLight) == 4 * sizeof(double));
+
+py::dtype thin_beam_dtype() {
+  return make_dtype({{"share", "f8", kBeamOrders},
+                     {"radial", "f8", kBeamOrders},
+                     {"turned", "f8", kBeamOrders},
+                     {"forward", "f8", 1}});
+}
+
+py::array thin_beams_of(const Atmosphere& atmosphere, const py::object& table) {
+  const ThinBeams beams = make_thin_beams(atmosphere, take_table(table));
+  return py::array(thin_beam_dtype(), std::vector<py::ssize_t>{kBeamDepths}, beams.rows.data());
+}
+
+ScatteringSource source_of(const Light& light, const Atmosphere& atmosphere, const py::object& beams) {
+  const py::array given = take_array(beams, "beams", thin_beam_dtype(), false);
+  if (given.ndim() != 1 || given.size() != kBeamDepths) {
+    throw py::value_error("beams: must be those of make_thin_beams, has the shape " + str_of(given.attr("shape")));
+  }
+  ThinBeams copy;
+  std::memcpy(&copy, given.data(), sizeof copy);
+  return scattering_source(light, atmosphere, copy);
+}
+
+/// Numbers whose last axis is a vector.
+Numbers<double> take_vectors(const py::object& object, const std::string& name, py::ssize_t size) {
+  Numbers<double> vectors = take_numbers(object, name);
+  if (vectors.ndim() == 0 || vectors.shape(vectors.ndim() - 1) != size) {
+    throw py::value_error(name + ": must have a last axis of " + std::to_string(size) + ", has the shape " +
+                          str_of(vectors.attr("shape")));
+  }
+  return vectors;
+}
+
+py::array_t<double> scattered_lights_of(PlacedLight light, ScatteringSource source, Atmosphere atmosphere,
+                                        const py::object& positions) {
+  const Numbers<double> from = take_vectors(positions, "positions", 3);
+  std::vector<py::ssize_t> shape{from.shape(), from.shape() + from.ndim()};
+  shape.back() = 4;
+  py::array_t<double> lights(shape);
+  const std::span places(reinterpret_cast<const glm::dvec3*>(from.data()), std::size_t(from.size() / 3));
+  const std::span results(reinterpret_cast<DiffuseLight*>(lights.mutable_data()), places.size());
+  const py::gil_scoped_release released;
+  scattered_light(light, source, atmosphere, places, results);
+  return lights;
+}
+
+py::object irradiances_of(const py::object& light, const py::object& normal) {
+  const auto call = [](double all, double x, double y, double z, double normal_x, double normal_y, double normal_z) {
+    const DiffuseLight diffuse{all, {x, y, z}};
+    const glm::dvec3 facing{normal_x, normal_y, normal_z};
+    require(find_error(diffuse));
+    require(find_direction_error(facing, "normal"));
+    return irradiance(diffuse, facing);
+  };
+  const py::array lights = take_vectors(light, "light", 4), normals = take_vectors(normal, "normal", 3);
+  const auto part = [](const py::array& of, int i) {
+    return py::array_t<double>(of[py::make_tuple(py::ellipsis(), i)]);
+  };
+  return py::vectorize(call)(part(lights, 0), part(lights, 1), part(lights, 2), part(lights, 3), part(normals, 0),
+                             part(normals, 1), part(normals, 2));
 }
 
 // --- the updater ---
@@ -822,6 +898,29 @@ void bind_airlight(py::module_& m) {
         "The range in metres beyond which a light shows on no surface and in no fog by as much as the budget, a\n"
         "fraction of its colour in (0, 1); numbers or arrays.");
   m.def(
+      "reach_budget",
+      [](double step, std::size_t lights, const py::object& brightness, const Atmosphere& atmosphere) {
+        return py::vectorize([&](double each) { return reach_budget(step, lights, each, atmosphere); })(
+            take_numbers(brightness, "brightness"));
+      },
+      py::arg("step"), py::arg("lights"), py::arg("brightness"), py::arg("atmosphere"),
+      "The budget of light_reach at which all that lights add beyond their reaches stays below a step of a picture,\n"
+      "in linear light. brightness: the largest component of a light's colour, a number or an array.");
+  m.def("directional_airlight", &directional_airlights_of, py::arg("atmosphere"), py::arg("to_light"), py::arg("rays"),
+        py::kw_only(), py::arg("out") = py::none(),
+        "Airlight of a directional light, such as the sun or the moon, along rays, to be multiplied with its colour;\n"
+        "0 in fog that does not end above. The fog is exp, to_light unit; rays and out as for airlight. Releases the\n"
+        "GIL. ValueError with field, value and rule, before any result is written.");
+  m.def(
+      "directional_fog_factor",
+      [](const Atmosphere& atmosphere, const glm::dvec3& to_light, const py::object& height) {
+        return py::vectorize([&](double each) { return directional_fog_factor(atmosphere, to_light, each); })(
+            take_numbers(height, "height"));
+      },
+      py::arg("atmosphere"), py::arg("to_light"), py::arg("height"),
+      "The fraction of a directional light that passes through the fog down to heights in metres, numbers or arrays.\n"
+      "It lights surfaces there.");
+  m.def(
       "make_scattering_table", &scattering_table_of, py::arg("atmosphere"),
       "Light that an atmosphere's phase function scatters twice and more often from a point lamp: a float32 array of\n"
       "optical depths by angles, the texture of litfog/shaders/multiple_scattering.glsl. ValueError unless the fog is\n"
@@ -837,6 +936,34 @@ void bind_airlight(py::module_& m) {
         "Light that the fog scatters twice and more often into the eye along rays, to be added to airlight and\n"
         "multiplied with the light's colour. table: make_scattering_table(atmosphere); rays and out as for airlight.\n"
         "Releases the GIL. ValueError with field, value and rule, before any result is written.");
+  m.attr("THIN_BEAM") = thin_beam_dtype();
+  m.def("make_thin_beams", &thin_beams_of, py::arg("atmosphere"), py::arg("table"),
+        "What the scattered light of all lamps is made of: an array of dtype THIN_BEAM by optical depth. table:\n"
+        "make_scattering_table(atmosphere).");
+  py::class_<ScatteringSource>(m, "ScatteringSource", "A light as the fog around it scatters it.")
+      .def_readonly("intensity", &ScatteringSource::intensity, "m^2, as effective_intensity; 0 in clear or total fog")
+      .def_readonly("phase_cosine", &ScatteringSource::phase_cosine, "mean cosine of the phase function")
+      .def_readonly("is_cone", &ScatteringSource::is_cone, "else a point lamp")
+      .def_property_readonly(
+          "beam",
+          [](const py::object& self) {
+            const auto& texels = self.cast<const ScatteringSource&>().beam.texels;
+            return view(py::dtype::of<float>(), {kBeamDepths, kBeamAngles, 4}, texels.data(), self);
+          },
+          "a read-only float32 array: the rows of a beam in the texture litfog_scattered_beams of\n"
+          "litfog/shaders/multiple_scattering.glsl");
+  show_fields(m.attr("ScatteringSource"), {"intensity", "phase_cosine", "is_cone"});
+  m.def("scattering_source", &source_of, py::arg("light"), py::arg("atmosphere"), py::arg("beams"),
+        "A light as the fog scatters it. beams: make_thin_beams of the atmosphere.");
+  m.def(
+      "scattered_light", &scattered_lights_of, py::arg("light"), py::arg("source"), py::arg("atmosphere"),
+      py::arg("positions"),
+      "Light of a lamp that the fog around positions has scattered, to be multiplied with its colour. positions:\n"
+      "an array with a last axis of 3. Returns one with a last axis of 4: the sum over all directions, and the flow.\n"
+      "The arrays of several lamps add up. Releases the GIL. ValueError with field, value and rule.");
+  m.def("irradiance", &irradiances_of, py::arg("light"), py::arg("normal"),
+        "What surfaces receive of light as scattered_light has it, by their normals, an array with a last axis of 3\n"
+        "and length 1: in the unit of attenuation * cone * fog factor * cosine, which the lamp itself gives them.");
 }
 
 void bind_updater(py::module_& m) {

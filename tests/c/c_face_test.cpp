@@ -21,11 +21,13 @@
 #include "litfog/airlight.h"
 #include "litfog/batch.h"
 #include "litfog/c/litfog.h"
+#include "litfog/directional_airlight.h"
 #include "litfog/files/light_file.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/light_clusters.h"
 #include "litfog/multiple_scattering.h"
 #include "litfog/runway_visual_range.h"
+#include "litfog/scattered_beam.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
 #include "reference/random_light.h"
@@ -341,6 +343,95 @@ TEST_F(CFace, MultipleScatteringIsThatOfCpp) {
   EXPECT_STREQ(litfog_last_error(), "density = 0: must be finite and > 0");
 }
 
+TEST_F(CFace, ScatteredLightAndItsIrradianceAreThoseOfCpp) {
+  const litfog_atmosphere air{{LITFOG_FOG_EXP, 0.02}, {{0.7, 0}, {0, 0}, 1}, 1, kInfinity, {0, 0, 0}, {}};
+  const Atmosphere same{.fog = {FogMode::exp, 0.02}, .phase = Phase::henyey_greenstein(0.7)};
+  litfog_scattering_table table;
+  litfog_thin_beams beams;
+  ASSERT_EQ(litfog_make_scattering_table(&air, &table), LITFOG_OK) << litfog_last_error();
+  ASSERT_EQ(litfog_make_thin_beams(&air, &table, &beams), LITFOG_OK) << litfog_last_error();
+  const ThinBeams expected_beams = make_thin_beams(same, make_scattering_table(same));
+  EXPECT_EQ(std::memcmp(&beams, &expected_beams, sizeof beams), 0);
+  double positions[] = {1, 2, 3, -40, 0.5, 9};
+  double normal[] = {0.6, 0, 0.8};
+  litfog_scattering_source source;
+  litfog_diffuse_light found[2];
+  int cones = 0;
+  for (int i = 0; i < 20; ++i) {
+    const Twins twins = random_twins(random_);
+    ASSERT_EQ(litfog_make_scattering_source(&twins.c.light, &air, &beams, &source), LITFOG_OK) << litfog_last_error();
+    const ScatteringSource expected = scattering_source(twins.cpp.light, same, expected_beams);
+    EXPECT_EQ(source.intensity, expected.intensity);
+    EXPECT_EQ(source.phase_cosine, expected.phase_cosine);
+    EXPECT_EQ(source.is_cone, expected.is_cone);
+    EXPECT_EQ(std::memcmp(&source.beam, &expected.beam, sizeof source.beam), 0);
+    cones += source.is_cone;
+    ASSERT_EQ(litfog_scattered_light(&twins.c, &source, &air, positions, 2, found), LITFOG_OK) << litfog_last_error();
+    const DiffuseLight scattered = scattered_light(twins.cpp, expected, same, {-40, 0.5, 9});
+    EXPECT_EQ(std::memcmp(&found[1], &scattered, sizeof scattered), 0);
+    EXPECT_EQ(found[0].all, scattered_light(twins.cpp, expected, same, {1, 2, 3}).all);
+    double received;
+    ASSERT_EQ(litfog_irradiance(&found[1], normal, &received), LITFOG_OK) << litfog_last_error();
+    EXPECT_EQ(received, irradiance(scattered, {0.6, 0, 0.8}));
+    EXPECT_GT(received, 0);
+  }
+  EXPECT_TRUE(cones > 0 && cones < 20);
+  const Twins twins = random_twins(random_);
+  const auto expect_refused = [](litfog_status status, const char* error) {
+    EXPECT_EQ(status, LITFOG_INVALID_ARGUMENT);
+    EXPECT_STREQ(litfog_last_error(), error);
+  };
+  positions[4] = kNaN;
+  found[0].all = 7;
+  expect_refused(litfog_scattered_light(&twins.c, &source, &air, positions, 2, found),
+                 "position.y = nan: must be at most 16777216 in magnitude");
+  EXPECT_EQ(found[0].all, 7);
+  expect_refused(litfog_scattered_light(&twins.c, &source, &air_, positions, 1, found),
+                 "fog.mode = 1: must be exp for all orders of scattering");
+  expect_refused(litfog_scattered_light(&twins.c, &source, &air, found[1].flow, 1, &found[1]),
+                 "scattered: must not overlap positions");
+  double received = 7;
+  normal[1] = 1;
+  expect_refused(litfog_irradiance(&found[1], normal, &received),
+                 "normal = 1.4142135623730951: length must be 1 within 1e-6");
+  found[1].all = -1;
+  expect_refused(litfog_irradiance(&found[1], normal, &received), "all = -1: must be in [0, 1e100]");
+  found[1] = {1, {0, kInfinity, 0}};
+  expect_refused(litfog_irradiance(&found[1], normal, &received), "flow.y = inf: must be at most 1e100 in magnitude");
+  EXPECT_EQ(received, 7);
+}
+
+TEST_F(CFace, AirlightOfTheSunIsThatOfCpp) {
+  const litfog_atmosphere air{{LITFOG_FOG_EXP, 0.01}, {{0.7, 0}, {0, 0}, 1}, 0.9, 80, {0, 0, 0}, {}};
+  const Atmosphere same{.fog = {FogMode::exp, 0.01}, .phase = Phase::henyey_greenstein(0.7), .albedo = 0.9, .top = 80};
+  const double to_light[] = {0, 0.6, 0.8};
+  litfog_eye_ray rays[] = {{{0, 2, 0}, {0, 0, -1}, kInfinity}, {{1, 2, 3}, {0, 1, 0}, 40}};
+  double found[2];
+  ASSERT_EQ(litfog_directional_airlight(&air, to_light, rays, 2, found), LITFOG_OK) << litfog_last_error();
+  EXPECT_EQ(found[0], directional_airlight(same, {0, 0.6, 0.8}, {{0, 2, 0}, {0, 0, -1}, kInfinity}));
+  EXPECT_EQ(found[1], directional_airlight(same, {0, 0.6, 0.8}, {{1, 2, 3}, {0, 1, 0}, 40}));
+  EXPECT_GT(found[1], 0);
+  double factor;
+  ASSERT_EQ(litfog_directional_fog_factor(&air, to_light, 30, &factor), LITFOG_OK) << litfog_last_error();
+  EXPECT_EQ(factor, directional_fog_factor(same, {0, 0.6, 0.8}, 30));
+
+  const auto expect_refused = [](litfog_status status, const char* error) {
+    EXPECT_EQ(status, LITFOG_INVALID_ARGUMENT);
+    EXPECT_STREQ(litfog_last_error(), error);
+  };
+  rays[1].length = -1;
+  found[0] = 7;
+  expect_refused(litfog_directional_airlight(&air, to_light, rays, 2, found), "length = -1: must be >= 0");
+  EXPECT_EQ(found[0], 7);
+  const double down[] = {0, -2, 0};
+  expect_refused(litfog_directional_airlight(&air, down, rays, 1, found), "to_light = 2: length must be 1 within 1e-6");
+  expect_refused(litfog_directional_airlight(&air_, to_light, rays, 1, found), "fog.mode = 1: must be exp");
+  expect_refused(litfog_directional_airlight(&air, to_light, rays, 2, &rays[1].length),
+                 "airlights: must not overlap rays");
+  expect_refused(litfog_directional_fog_factor(&air, to_light, kNaN, &factor),
+                 "height = nan: must be at most 16777216 in magnitude");
+}
+
 TEST_F(CFace, SizesThatNoMemoryHasAreRefusedBeforeAnythingIsRead) {
   constexpr auto kMinusOne = std::size_t(-1);
   litfog_placed_light light;
@@ -360,6 +451,10 @@ TEST_F(CFace, SizesThatNoMemoryHasAreRefusedBeforeAnythingIsRead) {
   expect_refused(litfog_airlight(&light, &air_, &ray, kMinusOne, LITFOG_LAMP_LEG_FOGGED, &x));
   const litfog_scattering_table table{};
   expect_refused(litfog_multiple_scattering(&light, &air_, &table, &ray, kMinusOne, &x));
+  const litfog_scattering_source source{};
+  litfog_diffuse_light scattered;
+  expect_refused(litfog_scattered_light(&light, &source, &air_, &x, kMinusOne, &scattered));
+  expect_refused(litfog_directional_airlight(&air_, &x, &ray, kMinusOne, &x));
   expect_refused(litfog_solve_batch(LITFOG_FOG_EXP, &lights, &solutions, nullptr));
   expect_refused(litfog_read_light("x", &light.light, &text, kMinusOne));
   expect_refused(litfog_expand_shader("", &text, kMinusOne, &length));
@@ -452,6 +547,9 @@ TEST_F(CFace, NullIsRefusedByName) {
   litfog_updater* updater = nullptr;
   litfog_fog_light_changes changes;
   const litfog_eye_ray ray{{0, 0, 0}, {0, 0, -1}, 9};
+  const litfog_scattering_table table{};
+  litfog_scattering_source source{};
+  litfog_diffuse_light scattered{};
   size_t count;
   int32_t can;
   double x;
@@ -465,6 +563,13 @@ TEST_F(CFace, NullIsRefusedByName) {
       {"table", [&] { return litfog_make_scattering_table(&air_, nullptr); }},
       {"table", [&] { return litfog_multiple_scattering(&light, &air_, nullptr, &ray, 1, &x); }},
       {"attenuation", [&] { return litfog_effective_intensity(nullptr, 1, &x); }},
+      {"beams", [&] { return litfog_make_thin_beams(&air_, &table, nullptr); }},
+      {"beams", [&] { return litfog_make_scattering_source(&light.light, &air_, nullptr, &source); }},
+      {"source", [&] { return litfog_scattered_light(&light, nullptr, &air_, &x, 1, &scattered); }},
+      {"positions", [&] { return litfog_scattered_light(&light, &source, &air_, nullptr, 1, &scattered); }},
+      {"normal", [&] { return litfog_irradiance(&scattered, nullptr, &x); }},
+      {"to_light", [&] { return litfog_directional_airlight(&air_, nullptr, &ray, 1, &x); }},
+      {"atmosphere", [&] { return litfog_directional_fog_factor(nullptr, ray.direction, 0, &x); }},
       {"updater", [&] { return litfog_updater_create(0.5, nullptr); }},
       {"updater", [&] { return litfog_updater_set_fog(updater, &fog_, &changes); }},
       {"frustum", [&] { return litfog_view_frustum_can_see_ball(nullptr, &x, 1, &can); }},

@@ -57,6 +57,25 @@ static void solve(void) {
   EXPECT_OK(litfog_make_scattering_table(&air, &table));
   EXPECT_OK(litfog_multiple_scattering(&light, &air, &table, &ray, 1, &more));
   EXPECT(more > 0);
+
+  litfog_thin_beams beams;
+  litfog_scattering_source source;
+  litfog_diffuse_light scattered[2];
+  const double places[] = {0, 0, 9, 0, 0, -9}, facing[] = {0, 0, -1};
+  double received;
+  EXPECT_OK(litfog_make_thin_beams(&air, &table, &beams));
+  EXPECT_OK(litfog_make_scattering_source(&light.light, &air, &beams, &source));
+  EXPECT(source.is_cone && source.intensity > 0);
+  EXPECT_OK(litfog_scattered_light(&light, &source, &air, places, 2, scattered));
+  EXPECT_OK(litfog_irradiance(&scattered[0], facing, &received));
+  EXPECT(received > 0 && scattered[1].all > scattered[0].all);  // it shines to the second place
+
+  const litfog_atmosphere ground = {fog, {{0, 0}, {0, 0}, 1}, 1, 50, {0, 0, 0}, {{{0, 0}}, 0}};
+  const double to_sun[] = {0, 1, 0};
+  double sunlit, left;
+  EXPECT_OK(litfog_directional_airlight(&ground, to_sun, &ray, 1, &sunlit));
+  EXPECT_OK(litfog_directional_fog_factor(&ground, to_sun, 0, &left));
+  EXPECT(fabs(sunlit - left) < 1e-12);  // a level ray without end
   EXPECT_OK(litfog_light_reach(&light.light, &fog, 1. / 255, LITFOG_LAMP_LEG_FOGGED, &reach));
   EXPECT(reach > 0 && reach <= exact.extent);
 }

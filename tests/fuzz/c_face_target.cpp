@@ -154,8 +154,24 @@ void call_functions(Random& random, Draw& draw) {
   is_ok(litfog_light_reach(&light, &fog, draw.number(0.01), draw.choice(2), &number));
   is_ok(litfog_reach_budget(draw.number(0.002), draw.count(9), draw.size(), &air, &number));
   is_ok(litfog_effective_intensity(&light.attenuation, draw.size(), &number));
+  if (is_ok(litfog_directional_airlight(&air, placed.direction, rays.data(), rays.size(), airlights.data()))) {
+    EXPECT_TRUE(is_air);
+    for (const double airlight : airlights) EXPECT_TRUE(airlight >= 0 && std::isfinite(airlight)) << airlight;
+  }
+  if (is_ok(litfog_directional_fog_factor(&air, placed.direction, draw.size(), &number))) {
+    EXPECT_TRUE(number >= 0 && number <= 1) << number;
+  }
   if (random.chance(0.05)) {
     static litfog_scattering_table table;
+    static litfog_thin_beams beams;
+    static litfog_scattering_source source;
+    litfog_diffuse_light scattered;
+    if (is_ok(litfog_make_scattering_table(&air, &table)) && is_ok(litfog_make_thin_beams(&air, &table, &beams)) &&
+        is_ok(litfog_make_scattering_source(&light, &air, &beams, &source)) &&
+        is_ok(litfog_scattered_light(&placed, &source, &air, rays[0].origin, 1, &scattered)) &&
+        is_ok(litfog_irradiance(&scattered, placed.direction, &number))) {
+      EXPECT_FALSE(std::isnan(number));
+    }
     if (is_ok(litfog_make_scattering_table(&air, &table)) &&
         is_ok(litfog_multiple_scattering(&placed, &air, &table, rays.data(), rays.size(), airlights.data()))) {
       for (const double value : airlights) EXPECT_TRUE(value >= 0 && std::isfinite(value)) << value;

@@ -250,6 +250,8 @@ class SolveTest(unittest.TestCase):
             lambda x: litfog.runway_visual_range(fog, 1000, x),
             lambda x: litfog.effective_intensity(attenuation, x),
             lambda x: litfog.light_reach(litfog.Light(), fog, x),
+            lambda x: litfog.reach_budget(0.1, 9, x, litfog.Atmosphere(fog)),
+            lambda x: litfog.directional_fog_factor(litfog.Atmosphere(fog, top=3), (0, 1, 0), x),
             lambda x: np.asarray(litfog.color_of_temperature(np.multiply(x, 10_000)))[..., 2],
             lambda x: np.asarray(litfog.solve_fog_intensities(1, x, 0.25, 0.5).intensity).reshape(np.shape(x)),
             lambda x: np.asarray(litfog.solve_fog_intensities(1, 0, 0.25, 0.5, x).extent).reshape(np.shape(x)),
@@ -615,7 +617,64 @@ class AirlightTest(unittest.TestCase):
         with self.assertRaisesRegex(TypeError, "^table: must be a NumPy array of float32, is one of float64$"):
             litfog.multiple_scattering(self.light, self.air, np.zeros((12, 18)), rays)
 
+    def test_fog_lights_surfaces(self):
+        table = litfog.make_scattering_table(self.air)
+        beams = litfog.make_thin_beams(self.air, table)
+        self.assertEqual((beams.dtype, beams.shape), (litfog.THIN_BEAM, (16,)))
+        lamp = litfog.Light(attenuation=litfog.Attenuation(1, 0, 9.5e-5), cone=litfog.Cone.cosine(0.5, 2))
+        source = litfog.scattering_source(lamp, self.air, beams)
+        self.assertEqual(source.intensity, litfog.effective_intensity(lamp.attenuation, self.fog.density))
+        self.assertEqual((source.is_cone, source.phase_cosine), (True, 0))
+        self.assertEqual((source.beam.shape, source.beam.dtype), ((16, 24, 4), np.float32))
+        self.assertFalse(source.beam.flags.writeable)
+        placed = litfog.PlacedLight(lamp)  # it shines along -z
+        places = np.array([[[0, 0, -50], [0, 0, 50]], [[50, 0, 0], [0, 50, 0]]], float)
+        scattered = litfog.scattered_light(placed, source, self.air, places)
+        self.assertEqual(scattered.shape, (2, 2, 4))
+        self.assertGreater(scattered[0, 0, 0], scattered[0, 1, 0])
+        self.assertLess(scattered[0, 0, 3], 0)
+        np.testing.assert_array_equal(litfog.scattered_light(placed, source, self.air, [0, 0, -50]), scattered[0, 0])
+        facing = litfog.irradiance(scattered, [0, 0, 1])
+        self.assertEqual(facing.shape, (2, 2))
+        self.assertEqual(litfog.irradiance(scattered[0, 0], (0, 0, 1)), facing[0, 0])
+        self.assertGreater(facing[0, 0], litfog.irradiance(scattered[0, 0], (0, 0, -1)))
+        np.testing.assert_allclose(litfog.irradiance(2 * scattered[:, 0], np.eye(3)[1:]),
+                                   [2 * litfog.irradiance(scattered[0, 0], (0, 1, 0)), 2 * facing[1, 0]])  # fmt: skip
+        for error, call in (
+            (r"^positions: must have a last axis of 3, has the shape \(2,\)$",
+             lambda: litfog.scattered_light(placed, source, self.air, [1, 2])),
+            ("^position.x = inf: must be at most 16777216 in magnitude$",
+             lambda: litfog.scattered_light(placed, source, self.air, [math.inf, 0, 0])),
+            ("^normal = 2: length must be 1 within 1e-6$", lambda: litfog.irradiance(scattered, [0, 2, 0])),
+            (r"^all = -1: must be in \[0, 1e100\]$", lambda: litfog.irradiance([-1, 0, 0, 0], [0, 1, 0])),
+            (r"^light: must have a last axis of 4, has the shape \(\)$", lambda: litfog.irradiance(1, [0, 1, 0])),
+            (r"^beams: must be those of make_thin_beams, has the shape \(15,\)$",
+             lambda: litfog.scattering_source(lamp, self.air, beams[:15])),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(ValueError, error):
+                call()
+
+    def test_sun_lights_fog_that_ends_above(self):
+        rays = np.zeros((2, 3), litfog.EYE_RAY)
+        rays["direction"], rays["length"] = (0, 0, -1), np.linspace(10, 1000, 6).reshape(2, 3)
+        np.testing.assert_array_equal(litfog.directional_airlight(self.air, (0, 1, 0), rays), np.zeros((2, 3)))
+        ground = litfog.Atmosphere(self.fog, top=40)
+        lit, out = litfog.directional_airlight(ground, (0, 1, 0), rays), np.zeros((2, 3))
+        self.assertIs(litfog.directional_airlight(ground, (0, 1, 0), rays, out=out), out)
+        np.testing.assert_array_equal(out, lit)
+        left = litfog.directional_fog_factor(ground, (0, 1, 0), [0, 40])
+        np.testing.assert_allclose(left, [math.exp(-40 * self.fog.density), 1], rtol=1e-14)
+        np.testing.assert_allclose(lit, left[0] * -np.expm1(-rays["length"] * self.fog.density), rtol=1e-12)
+        with self.assertRaisesRegex(ValueError, "^to_light = 2: length must be 1 within 1e-6$"):
+            litfog.directional_airlight(ground, (0, 2, 0), rays)
+        with self.assertRaisesRegex(ValueError, "^fog.mode = 1: must be exp$"):
+            litfog.directional_fog_factor(litfog.Atmosphere(litfog.Fog("exp2", 0.1)), (0, 1, 0), 0)
+
     def test_reach_holds_what_shows(self):
+        budgets = litfog.reach_budget(0.5 / 255, 1000, np.array([1, 1e4]), self.air)
+        np.testing.assert_allclose(budgets, [0.8 * 0.5 / 255 / 1000, 0.8 * 0.5 / 255 / 1e7])
+        with self.assertRaisesRegex(ValueError, "^step = 0: must be finite and > 0$"):
+            litfog.reach_budget(0, 1, 1, self.air)
         reach = litfog.light_reach(self.light.light, self.fog, 1 / 255)
         shown = litfog.attenuation_at(self.light.light.attenuation, reach) * litfog.fog_factor_at(self.fog, reach)
         self.assertTrue(0 < reach <= litfog.compute_extent(self.light.light.attenuation))

@@ -369,10 +369,32 @@ LITFOG_API litfog_status litfog_light_reach(const litfog_light* light, const lit
 LITFOG_API litfog_status litfog_reach_budget(double step, size_t lights, double brightness,
                                              const litfog_atmosphere* atmosphere, double* budget);
 
+// --- sun and moon (litfog/directional_airlight.h) ---
+
+/// Airlight of a directional light along rays: the fraction that the fog scatters into the eye, a factor of the light's
+/// colour. It is 0 in fog that does not end above.
+///
+/// atmosphere  exp fog
+/// to_light    its length is 1 within LITFOG_DIRECTION_TOLERANCE
+/// airlights   one a ray, >= 0; refused where they overlap the rays
+LITFOG_API litfog_status litfog_directional_airlight(const litfog_atmosphere* atmosphere, const double* to_light,
+                                                     const litfog_eye_ray* rays, size_t count, double* airlights);
+
+/// The fraction of a directional light that passes through the fog down to a height, and lights surfaces there.
+///
+/// atmosphere  exp fog
+/// height      metres, at most LITFOG_MAX_POSITION in magnitude
+/// factor      [0, 1]
+LITFOG_API litfog_status litfog_directional_fog_factor(const litfog_atmosphere* atmosphere, const double* to_light,
+                                                       double height, double* factor);
+
 // --- all orders of scattering (litfog/multiple_scattering.h) ---
 
 #define LITFOG_SCATTERING_DEPTHS 45
 #define LITFOG_SCATTERING_ANGLES 69
+#define LITFOG_BEAM_ORDERS 48
+#define LITFOG_BEAM_DEPTHS 16
+#define LITFOG_BEAM_ANGLES 24
 
 /// Light that a phase function scatters twice and more often from a point lamp, by optical depth and angle: the texture
 /// of litfog/shaders/multiple_scattering.glsl, an angle a column.
@@ -402,6 +424,63 @@ LITFOG_API litfog_status litfog_multiple_scattering(const litfog_placed_light* l
                                                     const litfog_atmosphere* atmosphere,
                                                     const litfog_scattering_table* table, const litfog_eye_ray* rays,
                                                     size_t count, double* scattered);
+
+/// Light of a thin beam that has been scattered, at a depth from its lamp (litfog/scattered_beam.h).
+typedef struct litfog_thin_beam {
+  double share[LITFOG_BEAM_ORDERS];
+  double radial[LITFOG_BEAM_ORDERS];
+  double turned[LITFOG_BEAM_ORDERS];
+  double forward;
+} litfog_thin_beam;
+
+/// What the beams of all lamps are made of.
+typedef struct litfog_thin_beams {
+  litfog_thin_beam rows[LITFOG_BEAM_DEPTHS];
+} litfog_thin_beams;
+
+/// Scattered light of a cone: of the shaders' texture litfog_scattered_beams the rows of a beam.
+typedef struct litfog_scattered_beam {
+  float texels[LITFOG_BEAM_DEPTHS][LITFOG_BEAM_ANGLES][4];
+} litfog_scattered_beam;
+
+/// A light as the fog around it scatters it.
+typedef struct litfog_scattering_source {
+  double intensity;     ///< m^2, that of litfog_effective_intensity; 0 in clear air and in total fog
+  double phase_cosine;  ///< mean cosine of the phase function
+  int32_t is_cone;      ///< 0: a point lamp
+  litfog_scattered_beam beam;
+} litfog_scattering_source;
+
+/// Light that comes from many directions. The lights of lamps add up, member by member.
+typedef struct litfog_diffuse_light {
+  double all;      ///< the integral of the radiance over all directions, [0, 1e100]
+  double flow[3];  ///< that of the radiance times the direction of its travel, each at most 1e100 in magnitude
+} litfog_diffuse_light;
+
+/// table  that of the atmosphere
+LITFOG_API litfog_status litfog_make_thin_beams(const litfog_atmosphere* atmosphere,
+                                                const litfog_scattering_table* table, litfog_thin_beams* beams);
+
+/// beams  of the atmosphere
+LITFOG_API litfog_status litfog_make_scattering_source(const litfog_light* light, const litfog_atmosphere* atmosphere,
+                                                       const litfog_thin_beams* beams,
+                                                       litfog_scattering_source* source);
+
+/// Light of a lamp that the fog around positions has scattered, a factor of the light's colour.
+///
+/// source     the light's
+/// positions  three coordinates each, metres, at most LITFOG_MAX_POSITION in magnitude
+/// scattered  one a position; refused where they overlap the positions
+LITFOG_API litfog_status litfog_scattered_light(const litfog_placed_light* light,
+                                                const litfog_scattering_source* source,
+                                                const litfog_atmosphere* atmosphere, const double* positions,
+                                                size_t count, litfog_diffuse_light* scattered);
+
+/// What a surface receives of diffuse light, in the unit in which it receives attenuation times cone times fog factor
+/// times cosine from the lamp itself.
+///
+/// normal  its length is 1 within LITFOG_DIRECTION_TOLERANCE
+LITFOG_API litfog_status litfog_irradiance(const litfog_diffuse_light* light, const double* normal, double* irradiance);
 
 // --- tables and block of the shaders (litfog/fog_light_block.h): std140, ready for upload ---
 
