@@ -63,7 +63,8 @@ struct ScatteringSource {
   ScatteredBeam beam = {};  ///< of its shape
 };
 
-/// Effective intensity of a light in its fog, m^2; 0 in clear air and in total fog.
+/// Effective intensity of a light in its fog, m^2; 0 in clear air, in total fog and in exp2 fog. Of lights that a
+/// FogUpdater holds it has them in a table.
 ///
 /// light   its class sees the fog at its density scale
 /// throws  std::invalid_argument naming field, value and rule

@@ -36,8 +36,9 @@ struct EntryRange {
 struct FogLightChanges {
   std::span<const EntryRange> kinds;
   std::span<const EntryRange> instances;
+  std::span<const EntryRange> effective_intensities;  ///< none unless they are solved
 
-  bool empty() const { return kinds.empty() && instances.empty(); }
+  bool empty() const { return kinds.empty() && instances.empty() && effective_intensities.empty(); }
 };
 
 /// What the last set_fog did.
@@ -45,7 +46,8 @@ struct FogUpdateStatistics {
   std::size_t kinds_solved = 0;
   std::size_t kinds_skipped = 0;   ///< the other kinds held: not carried, unchanged, dark, or bounded below the budget
   std::size_t lights_skipped = 0;  ///< lights switched off, black, or of a skipped kind
-  std::size_t bytes_dirty = 0;     ///< size of the ranges returned
+  std::size_t bytes_dirty = 0;     ///< size of the ranges returned, in all tables
+  std::size_t effective_solved = 0;  ///< kinds whose effective intensity was solved
 };
 
 /// Default skip budget, in 1/255: half a step of an 8-bit picture.
@@ -120,6 +122,14 @@ class FogUpdater {
   /// The tables. They grow with the lights and do not shrink.
   std::span<const FogLightKind> kinds() const;
   std::span<const FogLightInstance> instances() const;
+
+  /// Lets set_fog solve the effective intensity of each kind, too, which all orders of scattering take
+  /// (litfog/multiple_scattering.h): carried or not, whatever the budget. Allocates nothing.
+  void solve_effective_intensities();
+
+  /// The source_intensity() of each kind's lights, rounded, at most the largest float; 0 of kinds of which no light is
+  /// on. Empty unless they are solved.
+  std::span<const float> effective_intensities() const;
 
   /// Index of a light among the instances.
   ///

@@ -8,7 +8,6 @@
 #include <span>
 
 #include "airlight_text.h"
-#include "legendre.h"
 #include "model/level_range.h"
 #include "model/require.h"
 #include "model/unchecked.h"
@@ -149,6 +148,67 @@ double cubic_at(const std::array<double, kCount>& numbers, int i) {
   return b + t / 2 * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
 }
 
+constexpr std::size_t kNodes = 36;
+
+/// A trapezoidal rule for integrals of e^-y / D(y) over y > 0, where D has no zero with Re y > 0: in u, y = e^t and
+/// t = u - e^(-0.35 u). In t, the integrand is analytic in a strip of half width pi / 2. Small y, where t takes the
+/// longest steps, weigh little.
+struct IntensityRule {
+  std::array<double, kNodes> depths, inverses, weights;
+};
+
+IntensityRule make_intensity_rule() {
+  constexpr double kFirst = -7.1, kStep = 0.3;  // y from 4e-9 to 22, beyond which lies less than 1e-8 of the whole
+  constexpr double kBend = 0.35;
+  IntensityRule rule;
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    const double u = kFirst + kStep * double(i);
+    const double bent = exp(-kBend * u);
+    const double depth = exp(u - bent);
+    rule.depths[i] = depth;
+    rule.inverses[i] = 1 / depth;
+    rule.weights[i] = kStep * (1 + kBend * bent) * depth * exp(-depth);
+  }
+  return rule;
+}
+
+/// The integral of x^2 e^-x from 0 on.
+double integrate_plateau(double end) {
+  if (end > 1) return 2 - exp(-end) * (end * (end + 2) + 2);
+  double term = end * end * end * exp(-end) / 3, sum = 0;
+  for (int n = 4; n < 16; ++n) {
+    sum += term;
+    term *= end / n;
+  }
+  return sum;
+}
+
+/// effective_intensity(): with the depth k of the knee and x = k + y = d r,
+///   (1 / d^2) integral of x^2 e^-x from 0 to k  +  e^-k integral of e^-y / ((C / r + L) / r + Q) over y > 0.
+/// It takes 35 ns without a knee and 80 with one, by AVX2 as by SSE2: divisions take it.
+double integrate_intensity(const Attenuation& attenuation, double density) {
+  static const IntensityRule rule = make_intensity_rule();
+  density = std::clamp(density, kThinnest, kThickest);
+  constexpr double kDarkDepth = 700;
+  const bool has_knee = attenuation.constant < 1;
+  const double knee = has_knee ? min(density * unchecked::compute_extent(attenuation, 1), kDarkDepth) : 0;
+  const auto sum_over = [&](const auto& inverse_range) {
+    double sums[4] = {};  // which compilers turn into vectors
+    for (std::size_t i = 0; i < kNodes; i += 4) {
+      for (std::size_t j = 0; j < 4; ++j) {
+        const double inverse = inverse_range(i + j);
+        sums[j] += rule.weights[i + j] /
+                   ((attenuation.constant * inverse + attenuation.linear) * inverse + attenuation.quadratic);
+      }
+    }
+    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+  };
+  if (!has_knee) return sum_over([&](std::size_t i) { return density * rule.inverses[i]; });
+  const double plateau = integrate_plateau(knee) / (density * density);
+  if (knee == kDarkDepth) return plateau;
+  return plateau + exp(-knee) * sum_over([&](std::size_t i) { return density / (knee + rule.depths[i]); });
+}
+
 }  // namespace
 
 std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere) {
@@ -206,31 +266,18 @@ double effective_intensity(const Attenuation& attenuation, double density) {
   if (!(density > 0 && std::isfinite(density))) {
     require(ValueError{"density", density, "must be finite and > 0"});
   }
-  density = std::clamp(density, kThinnest, kThickest);
-  // Over t = ln(d r) the integrand e^(3 t - e^t) a / d^2 is analytic but for the knee, in strips of half width pi / 2.
-  constexpr double kFirst = -20, kLast = 4;  // e^-20 and e^-(e^4) of the whole are left out at most
-  const double knee = std::log(density * unchecked::compute_extent(attenuation, 1));
-  double sum = 0;
-  double from = kFirst;
-  while (from < kLast) {
-    double to = std::min(from + 0.75, kLast);
-    if (knee > from && knee < to) to = knee;
-    add_gauss(from, to, [&](double logarithm, double size) {
-      const double depth = std::exp(logarithm);
-      const double range = depth / density;
-      sum += size * depth * std::exp(-depth) * range * range * attenuation_at(attenuation, range);
-    });
-    from = to;
-  }
-  return sum;
+  return integrate_intensity(attenuation, density);
+}
+
+double unchecked::source_intensity(const Attenuation& attenuation, const Fog& seen_fog) {
+  if (!(seen_fog.density > kThinnest) || std::isinf(seen_fog.density) || seen_fog.mode != FogMode::exp) return 0;
+  return integrate_intensity(attenuation, seen_fog.density);
 }
 
 double source_intensity(const Light& light, const Atmosphere& atmosphere) {
   require(find_error(light));
   require(find_error(atmosphere));
-  const Fog fog = unchecked::scaled(atmosphere.fog, light.density_scale);
-  if (!(fog.density > kThinnest) || std::isinf(fog.density)) return 0;
-  return effective_intensity(light.attenuation, fog.density);
+  return unchecked::source_intensity(light.attenuation, unchecked::scaled(atmosphere.fog, light.density_scale));
 }
 
 ScatteringSource scattering_source(const Light& light, const BeamMoments& shape, const Atmosphere& atmosphere,

@@ -73,7 +73,7 @@ LITFOG_COUNTERPART(litfog_fog_light_block, FogLightBlock, header, kinds, instanc
 LITFOG_COUNTERPART(litfog_light_handle, FogLightHandle, slot, generation);
 LITFOG_COUNTERPART(litfog_entry_range, EntryRange, begin, end);
 LITFOG_COUNTERPART(litfog_fog_update_statistics, FogUpdateStatistics, kinds_solved, kinds_skipped, lights_skipped,
-                   bytes_dirty);
+                   bytes_dirty, effective_solved);
 LITFOG_COUNTERPART(litfog_light_bounds, LightBounds, position, direction, range, half_angle);
 LITFOG_COUNTERPART(litfog_view, View, eye, forward, up, left, right, bottom, top, nearest, farthest);
 LITFOG_COUNTERPART(litfog_cluster_grid, ClusterGrid, columns, rows, slices, first_depth);

@@ -57,7 +57,23 @@ litfog_status litfog_updater_set_fog(litfog_updater* updater, const litfog_fog* 
     *changes = {.kinds = c::view_as<litfog_entry_range>(found.kinds),
                 .kind_count = found.kinds.size(),
                 .instances = c::view_as<litfog_entry_range>(found.instances),
-                .instance_count = found.instances.size()};
+                .instance_count = found.instances.size(),
+                .effective_intensities = c::view_as<litfog_entry_range>(found.effective_intensities),
+                .effective_intensity_count = found.effective_intensities.size()};
+  });
+}
+
+litfog_status litfog_updater_solve_effective_intensities(litfog_updater* updater) {
+  return c::call([&] { updater_of(updater).solve_effective_intensities(); });
+}
+
+litfog_status litfog_updater_effective_intensities(const litfog_updater* updater, const float** intensities,
+                                                   size_t* count) {
+  return c::call([&] {
+    const std::span<const float> found = updater_of(updater).effective_intensities();
+    c::at(intensities, "intensities");
+    c::at(count, "count") = found.size();
+    *intensities = found.data();
   });
 }
 

@@ -12,6 +12,8 @@
 
 namespace litfog::unchecked {
 
+/// source_intensity() of a light with an attenuation whose class sees a fog.
+double source_intensity(const Attenuation& attenuation, const Fog& seen_fog);
 double compute_extent(const Attenuation& attenuation, double threshold);
 Fog scaled(const Fog& fog, double density_scale);
 FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold);

@@ -495,7 +495,7 @@ py::array view_table(const std::shared_ptr<Updater>& updater, std::span<const En
 }
 
 struct Changes {
-  py::list kinds, instances;
+  py::list kinds, instances, effective_intensities;
 };
 
 py::list slices(std::span<const EntryRange> ranges) {
@@ -979,14 +979,19 @@ void bind_updater(py::module_& m) {
       });
   py::class_<Changes>(m, "FogLightChanges", "What must be uploaded again: sorted, disjoint slices of each table.")
       .def_readonly("kinds", &Changes::kinds, "slices of FogUpdater.kinds")
-      .def_readonly("instances", &Changes::instances, "slices of FogUpdater.instances");
-  show_fields(m.attr("FogLightChanges"), {"kinds", "instances"});
+      .def_readonly("instances", &Changes::instances, "slices of FogUpdater.instances")
+      .def_readonly("effective_intensities", &Changes::effective_intensities,
+                    "slices of FogUpdater.effective_intensities");
+  show_fields(m.attr("FogLightChanges"), {"kinds", "instances", "effective_intensities"});
   py::class_<FogUpdateStatistics>(m, "FogUpdateStatistics", "What the last set_fog did.")
       .def_readonly("kinds_solved", &FogUpdateStatistics::kinds_solved, "kinds")
       .def_readonly("kinds_skipped", &FogUpdateStatistics::kinds_skipped, "the other kinds held")
       .def_readonly("lights_skipped", &FogUpdateStatistics::lights_skipped, "lights off, black, or of a skipped kind")
-      .def_readonly("bytes_dirty", &FogUpdateStatistics::bytes_dirty, "of the entries in the slices returned");
-  show_fields(m.attr("FogUpdateStatistics"), {"kinds_solved", "kinds_skipped", "lights_skipped", "bytes_dirty"});
+      .def_readonly("bytes_dirty", &FogUpdateStatistics::bytes_dirty, "of the entries in the slices returned")
+      .def_readonly("effective_solved", &FogUpdateStatistics::effective_solved,
+                    "kinds whose effective intensity was solved");
+  show_fields(m.attr("FogUpdateStatistics"),
+              {"kinds_solved", "kinds_skipped", "lights_skipped", "bytes_dirty", "effective_solved"});
   py::class_<Updater, std::shared_ptr<Updater>>(
       m, "FogUpdater",
       "The lights of a scene as the shaders' tables, kept up to date through every change of the visibility. Lights\n"
@@ -1017,7 +1022,7 @@ void bind_updater(py::module_& m) {
           "set_fog",
           [](Updater& updater, const Fog& fog) {
             const FogLightChanges changes = updater.set_fog(fog);
-            return Changes{slices(changes.kinds), slices(changes.instances)};
+            return Changes{slices(changes.kinds), slices(changes.instances), slices(changes.effective_intensities)};
           },
           py::arg("fog"),
           "Brings the tables up to date with the fog and the lights. Returns what has changed or is new.")
@@ -1031,6 +1036,15 @@ void bind_updater(py::module_& m) {
             return view_table(updater, updater->instances(), instance_dtype());
           },
           "The table of instances where it lies: a read-only array of dtype FOG_LIGHT_INSTANCE, which set_fog changes.")
+      .def("solve_effective_intensities", &Updater::solve_effective_intensities,
+           "Lets set_fog solve the effective intensity of each kind, too, for all orders of scattering.")
+      .def_property_readonly(
+          "effective_intensities",
+          [](const std::shared_ptr<Updater>& updater) {
+            return view_table(updater, updater->effective_intensities(), py::dtype::of<float>());
+          },
+          "The effective intensities in m^2, one a kind, where they lie: a read-only float32 array, which set_fog\n"
+          "changes. It is empty unless they are solved.")
       .def("instance_of", &Updater::instance_of, py::arg("handle"), "Index of a light among the instances.")
       .def("kind_of", &Updater::kind_of, py::arg("handle"), "Index of a light's kind.")
       .def_property_readonly(

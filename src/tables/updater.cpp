@@ -7,6 +7,7 @@
 #include <functional>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
+#include <limits>
 #include <memory>
 #include <unordered_map>
 #include <utility>
@@ -66,6 +67,7 @@ struct Kind {
   bool is_carried;
   bool has_changed = true;  ///< any of its lights since the last set_fog
   bool is_dirty = true;
+  bool is_effective_dirty = true;
   std::vector<std::uint32_t> lights = {};  ///< slots; a binary heap, the brightest first
   KindKey key;
 };
@@ -153,6 +155,10 @@ class FogUpdater::Store {
   FogLightChanges set_fog(const Fog& fog);
   std::span<const FogLightKind> kinds() const { return kind_table_; }
   std::span<const FogLightInstance> instances() const { return instances_; }
+  void solve_effective_intensities();
+  std::span<const float> effective_intensities() const {
+    return std::span(effective_).first(solves_effective_ ? effective_.size() : 0);
+  }
   std::uint32_t slot_of(FogLightHandle handle) const;
   std::uint32_t kind_of(FogLightHandle handle) const { return records_[slot_of(handle)].kind; }
   double reach_of_kind(std::size_t kind, const Atmosphere& atmosphere, double step, LampLeg lamp_leg) const;
@@ -174,6 +180,7 @@ class FogUpdater::Store {
   void sift(Kind& kind, std::size_t index);
   bool is_below_budget(const Kind& kind, const Fog& seen_fog) const;
   void set_intensity(std::uint32_t kind_index, float intensity);
+  void set_effective_intensity(std::uint32_t kind_index, const Fog& seen_fog);
   FogLightChanges collect_changes();
 
   double skip_budget_;
@@ -182,6 +189,8 @@ class FogUpdater::Store {
   bool has_changed_ = false;  // any light since the last set_fog
   std::vector<Kind> kinds_;   // those without lights are free
   std::vector<FogLightKind> kind_table_;
+  std::vector<float> effective_;  // one a kind
+  bool solves_effective_ = false;
   std::vector<std::uint32_t> free_kinds_;
   std::unordered_map<KindKey, std::uint32_t, KindKeyHash> kind_of_key_;
   std::vector<Record> records_;
@@ -193,6 +202,7 @@ class FogUpdater::Store {
   Columns columns_;
   RangeList kind_ranges_{sizeof(FogLightKind)};
   RangeList instance_ranges_{sizeof(FogLightInstance)};
+  RangeList effective_ranges_{sizeof(float)};
   FogUpdateStatistics statistics_;
 };
 
@@ -265,7 +275,8 @@ FogLightChanges FogUpdater::Store::set_fog(const Fog& fog) {
   statistics_ = {.kinds_solved = 0,
                  .kinds_skipped = kinds_.size() - free_kinds_.size(),
                  .lights_skipped = light_count_,
-                 .bytes_dirty = 0};
+                 .bytes_dirty = 0,
+                 .effective_solved = 0};
   if (!is_new_fog && !has_changed_) return {};
   has_changed_ = false;
   std::size_t solved = 0;
@@ -273,8 +284,10 @@ FogLightChanges FogUpdater::Store::set_fog(const Fog& fog) {
     Kind& kind = kinds_[i];
     const bool is_due = is_new_fog || kind.has_changed;
     kind.has_changed = false;
-    if (!is_due || !kind.is_carried) continue;
+    if (!is_due || !(kind.is_carried || solves_effective_)) continue;
     const Fog seen_fog = unchecked::scaled(fog, kind.density_scale);
+    if (solves_effective_) set_effective_intensity(i, seen_fog);
+    if (!kind.is_carried) continue;
     if (kind.lit_count == 0 || is_below_budget(kind, seen_fog)) {
       set_intensity(i, 0);
       continue;
@@ -321,9 +334,11 @@ void FogUpdater::Store::make_room_for_one() {
   instance_ranges_.make_room(records_.capacity());
   make_room(kinds_);
   make_room(kind_table_);
+  make_room(effective_);
   free_kinds_.reserve(kinds_.capacity());
   columns_.resize(kinds_.capacity());
   kind_ranges_.make_room(kinds_.capacity());
+  effective_ranges_.make_room(kinds_.capacity());
 }
 
 std::uint32_t FogUpdater::Store::add_slot() {
@@ -358,6 +373,7 @@ std::uint32_t FogUpdater::Store::find_or_add_kind(const PlacedLight& placed) {
   if (free_kinds_.empty()) {
     kinds_.push_back(std::move(kind));
     kind_table_.emplace_back();
+    effective_.emplace_back();
   } else {
     free_kinds_.pop_back();
     kinds_[index] = std::move(kind);
@@ -511,6 +527,12 @@ bool FogUpdater::Store::is_below_budget(const Kind& kind, const Fog& seen_fog) c
   return kind.bound.at(seen_fog) * kind.brightest < skip_budget_;
 }
 
+void FogUpdater::Store::solve_effective_intensities() {
+  solves_effective_ = true;
+  has_changed_ = true;
+  for (Kind& kind : kinds_) kind.has_changed = true;
+}
+
 void FogUpdater::Store::set_intensity(std::uint32_t kind_index, float intensity) {
   float& stored = kind_table_[kind_index].cone_scale_intensity.w;
   if (stored == intensity) return;
@@ -518,10 +540,23 @@ void FogUpdater::Store::set_intensity(std::uint32_t kind_index, float intensity)
   kinds_[kind_index].is_dirty = true;
 }
 
+void FogUpdater::Store::set_effective_intensity(std::uint32_t kind_index, const Fog& seen_fog) {
+  Kind& kind = kinds_[kind_index];
+  double effective = 0;
+  if (kind.lit_count > 0) {
+    effective = unchecked::source_intensity(kind.attenuation, seen_fog);
+    ++statistics_.effective_solved;
+  }
+  const float rounded = float(std::min(effective, double(std::numeric_limits<float>::max())));
+  if (std::exchange(effective_[kind_index], rounded) != rounded) kind.is_effective_dirty = true;
+}
+
 FogLightChanges FogUpdater::Store::collect_changes() {
   kind_ranges_.clear();
+  effective_ranges_.clear();
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
     if (std::exchange(kinds_[i].is_dirty, false)) kind_ranges_.add(i);
+    if (solves_effective_ && std::exchange(kinds_[i].is_effective_dirty, false)) effective_ranges_.add(i);
   }
   instance_ranges_.clear();
   std::ranges::sort(dirty_slots_);
@@ -530,8 +565,10 @@ FogLightChanges FogUpdater::Store::collect_changes() {
     instance_ranges_.add(slot);
   }
   dirty_slots_.clear();
-  statistics_.bytes_dirty = kind_ranges_.bytes() + instance_ranges_.bytes();
-  return {.kinds = kind_ranges_.ranges(), .instances = instance_ranges_.ranges()};
+  statistics_.bytes_dirty = kind_ranges_.bytes() + instance_ranges_.bytes() + effective_ranges_.bytes();
+  return {.kinds = kind_ranges_.ranges(),
+          .instances = instance_ranges_.ranges(),
+          .effective_intensities = effective_ranges_.ranges()};
 }
 
 FogUpdater::FogUpdater(double skip_budget_255) : store_(std::make_unique<Store>(skip_budget_255)) {}
@@ -547,6 +584,8 @@ void FogUpdater::remove(FogLightHandle handle) { store_->remove(handle); }
 FogLightChanges FogUpdater::set_fog(const Fog& fog) { return store_->set_fog(fog); }
 std::span<const FogLightKind> FogUpdater::kinds() const { return store_->kinds(); }
 std::span<const FogLightInstance> FogUpdater::instances() const { return store_->instances(); }
+void FogUpdater::solve_effective_intensities() { store_->solve_effective_intensities(); }
+std::span<const float> FogUpdater::effective_intensities() const { return store_->effective_intensities(); }
 std::size_t FogUpdater::instance_of(FogLightHandle handle) const { return store_->slot_of(handle); }
 std::size_t FogUpdater::kind_of(FogLightHandle handle) const { return store_->kind_of(handle); }
 double FogUpdater::reach_of_kind(std::size_t kind, const Atmosphere& atmosphere, double step, LampLeg lamp_leg) const {

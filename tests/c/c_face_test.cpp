@@ -474,6 +474,8 @@ TEST_F(CFace, UpdatersTablesAreThoseOfCpp) {
     EXPECT_EQ(handle.slot, expected.slot);
     EXPECT_EQ(handle.generation, expected.generation);
   }
+  ASSERT_EQ(litfog_updater_solve_effective_intensities(c), LITFOG_OK);
+  cpp.solve_effective_intensities();
   for (const double density : {1e-3, 1e-2, 1e-2}) {
     const double seconds = random_.uniform(0, 100);
     cpp.set_time(seconds);
@@ -485,6 +487,12 @@ TEST_F(CFace, UpdatersTablesAreThoseOfCpp) {
     ASSERT_EQ(changes.kind_count, expected.kinds.size());
     for (std::size_t i = 0; i < changes.kind_count; ++i) EXPECT_EQ(changes.kinds[i].end, expected.kinds[i].end);
     EXPECT_EQ(changes.instance_count, expected.instances.size());
+    EXPECT_EQ(changes.effective_intensity_count, expected.effective_intensities.size());
+    const float* effective;
+    size_t count;
+    ASSERT_EQ(litfog_updater_effective_intensities(c, &effective, &count), LITFOG_OK);
+    ASSERT_GT(count, 0u);
+    EXPECT_TRUE(std::ranges::equal(std::span(effective, count), cpp.effective_intensities()));
     litfog_fog_light_tables tables;
     ASSERT_EQ(litfog_updater_tables(c, &tables), LITFOG_OK);
     ASSERT_EQ(tables.kind_count, cpp.kinds().size());

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <cstddef>
 #include <cstring>
+#include <limits>
 #include <span>
 #include <vector>
 
+#include "litfog/multiple_scattering.h"
 #include "litfog/updater.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
@@ -39,6 +41,11 @@ inline FogLightInstance expected_instance(const PlacedLight& light, bool is_on, 
 
 inline float intensity_of(const PlacedLight& light, const Fog& fog) {
   return expected_kind(light, solve_fog_intensity(light.light, fog).intensity).cone_scale_intensity.w;
+}
+
+inline float effective_intensity_of(const PlacedLight& light, const Fog& fog) {
+  constexpr double kLargest = std::numeric_limits<float>::max();
+  return float(std::min(source_intensity(light.light, {.fog = fog}), kLargest));
 }
 
 inline float brightness_of(const PlacedLight& light, bool is_on) {
@@ -130,7 +137,8 @@ class Mirror {
     const FogLightChanges changes = updater.set_fog(fog);
     ASSERT_NO_FATAL_FAILURE(kinds_.upload(updater.kinds(), changes.kinds));
     ASSERT_NO_FATAL_FAILURE(instances_.upload(updater.instances(), changes.instances));
-    ASSERT_EQ(updater.statistics().bytes_dirty, kinds_.bytes + instances_.bytes);
+    ASSERT_NO_FATAL_FAILURE(effective_.upload(updater.effective_intensities(), changes.effective_intensities));
+    ASSERT_EQ(updater.statistics().bytes_dirty, kinds_.bytes + instances_.bytes + effective_.bytes);
     ASSERT_NO_FATAL_FAILURE(check_instances());
     ASSERT_NO_FATAL_FAILURE(check_kinds(fog));
   }
@@ -170,10 +178,14 @@ class Mirror {
       ASSERT_TRUE(are_of_one_kind(*kind.light, held.light));
       kind.brightness = std::max(kind.brightness, brightness_of(held.light, held.is_on));
     }
+    ASSERT_TRUE(effective_.entries().empty() || effective_.entries().size() == expected.size());
     std::vector<const PlacedLight*> found;
     for (std::size_t i = 0; i < expected.size(); ++i) {
       const auto& [light, brightness] = expected[i];
       FogLightKind stored = kinds_.entries()[i];
+      if (!effective_.entries().empty()) {
+        ASSERT_EQ(effective_.entries()[i], brightness > 0 ? effective_intensity_of(*light, fog) : 0) << "kind " << i;
+      }
       if (!light) {
         ASSERT_TRUE(is_same(stored, FogLightKind{})) << "kind " << i;
         continue;
@@ -198,6 +210,7 @@ class Mirror {
   double seconds_ = 0;
   UploadedTable<FogLightKind> kinds_;
   UploadedTable<FogLightInstance> instances_;
+  UploadedTable<float> effective_;
 };
 
 /// A light of one of some kinds, two of their attenuations corners, with one of few colours, or of a kind of its own.

@@ -43,6 +43,8 @@ TEST(FogUpdater, CallersBufferStaysRightThroughAnyCalls) {
   for (const double budget : {0., 0.5, 20.}) {
     for (int sequence = 0; sequence < 60; ++sequence) {
       Mirror mirror(budget);
+      if (sequence % 3 == 1) run_random_calls(mirror, random, 100, 3, 0.3);
+      if (sequence % 3 > 0) mirror.updater.solve_effective_intensities();
       run_random_calls(mirror, random, 400, 3, random.pick(std::array{0.3, 0.6, 0.9}));
       if (HasFatalFailure()) return;
       if (budget == 0) {
@@ -140,11 +142,54 @@ TEST(FogUpdater, ChangeOfTheLayersIsAChangeOfKindsAloneAndOneOfThePhaseOfTheHead
   ASSERT_EQ(changes.kinds.size(), 1u);
   EXPECT_EQ(changes.kinds[0], (EntryRange{0, 3}));
   EXPECT_TRUE(changes.instances.empty());
+  EXPECT_EQ(updater.statistics().kinds_solved, 3u);
+  EXPECT_EQ(updater.statistics().bytes_dirty, 3 * sizeof(FogLightKind));
 
   const FogHeader before = pack_fog_header(air, 0);
   air.phase = Phase::droplets(20);
   EXPECT_TRUE(updater.set_fog(air.fog_at(kEye)).empty());
+  EXPECT_EQ(updater.statistics().kinds_solved, 0u);
+  EXPECT_EQ(updater.statistics().bytes_dirty, 0u);
   EXPECT_NE(pack_fog_header(air, 0).phase_lobes, before.phase_lobes);
+}
+
+TEST(FogUpdater, EffectiveIntensityIsSolvedOnceAKindWhenTheFogChangesAndNeverAFrame) {
+  FogUpdater updater;
+  std::vector<PlacedLight> lights;
+  for (int i = 0; i < 1000; ++i) {
+    PlacedLight light = carried_light({1, 0.1 * (1 + i % 3), 0.01});
+    light.carried = i % 2 == 0;
+    light.light.flash = {2, 1, {{{0.5, 0.5, 5}}}};
+    updater.add(light);
+    lights.push_back(light);
+  }
+  updater.set_fog(kMist);
+  EXPECT_TRUE(updater.effective_intensities().empty()) << "nobody has asked";
+  EXPECT_EQ(updater.statistics().effective_solved, 0u);
+
+  updater.solve_effective_intensities();
+  const FogLightChanges first = updater.set_fog(kMist);
+  EXPECT_TRUE(first.kinds.empty() && first.instances.empty());
+  EXPECT_EQ(updater.statistics().effective_solved, 6u);
+  EXPECT_EQ(updater.statistics().bytes_dirty, 6 * sizeof(float));
+
+  const Fog thicker{FogMode::exp, 0.02};
+  const FogLightChanges changes = updater.set_fog(thicker);
+  ASSERT_EQ(changes.effective_intensities.size(), 1u);
+  EXPECT_EQ(changes.effective_intensities[0], (EntryRange{0, 6}));
+  EXPECT_TRUE(changes.instances.empty());
+  EXPECT_EQ(updater.statistics().kinds_solved, 3u) << "those carried";
+  EXPECT_EQ(updater.statistics().effective_solved, 6u);
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    const std::size_t kind = std::size_t(updater.instances()[i].position_kind.w);
+    ASSERT_EQ(updater.effective_intensities()[kind], effective_intensity_of(lights[i], thicker));
+  }
+
+  updater.set_time(0.7);
+  EXPECT_TRUE(updater.set_fog(thicker).effective_intensities.empty());
+  EXPECT_EQ(updater.statistics().effective_solved, 0u) << "of a flash";
+  updater.set_fog({FogMode::exp2, 0.02});
+  for (const float intensity : updater.effective_intensities()) EXPECT_EQ(intensity, 0);
 }
 
 TEST(FogUpdater, KindsDifferByEverythingButColorPositionAndDirection) {
@@ -449,6 +494,7 @@ TEST(FogUpdater, SetFogAllocatesNothing) {
   const std::size_t before = allocation_count();
   Fog fog;
   for (int step = 0; step < 200; ++step) {
+    if (step == 100) updater.solve_effective_intensities();
     fog = draw_fog(random, fog);
     updater.set_fog(fog);
     for (int i = 0; i < 10; ++i) updater.switch_light(random.pick(handles), random.chance(0.5));

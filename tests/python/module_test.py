@@ -207,7 +207,7 @@ class SolveTest(unittest.TestCase):
         self.assertEqual(repr(fit), f"<litfog.AttenuationFit: attenuation={fit.attenuation}, threshold=0.05, "
                                     "status=litfog.AttenuationFitStatus.optimal, rms_error=0.0, largest_error=0.0>")  # fmt: skip
         changes = litfog.FogUpdater().set_fog(litfog.Fog())
-        self.assertEqual(repr(changes), "<litfog.FogLightChanges: kinds=[], instances=[]>")
+        self.assertEqual(repr(changes), "<litfog.FogLightChanges: kinds=[], instances=[], effective_intensities=[]>")
         cone = litfog.fit_cone(angles=[0, 0.1, 0.2], intensities=[3, 2, 1])
         self.assertIn(f"profiles={cone.profiles}, best_index={cone.best_index}>", repr(cone))
 
@@ -710,6 +710,21 @@ class UpdaterTest(unittest.TestCase):
         updater.switch_light(other, False)
         changes = updater.set_fog(thicker)
         self.assertEqual(list(instances[changes.instances[0]][0]["color"][:3]), [0, 0, 0])
+
+    def test_effective_intensities_are_solved_where_asked_for(self):
+        updater = litfog.FogUpdater()
+        handle = updater.add(litfog.PlacedLight(self.lamp))
+        fog = litfog.Fog(density=0.003)
+        self.assertEqual(updater.set_fog(fog).effective_intensities, [])
+        self.assertEqual(updater.effective_intensities.shape, (0,))
+        updater.solve_effective_intensities()
+        changes = updater.set_fog(fog)
+        self.assertEqual((changes.kinds, changes.effective_intensities), ([], [slice(0, 1, 1)]))
+        solved = updater.effective_intensities
+        self.assertFalse(solved.flags.writeable)
+        self.assertEqual(solved[updater.kind_of(handle)],
+                         np.float32(litfog.effective_intensity(self.lamp.attenuation, fog.density)))  # fmt: skip
+        self.assertEqual((updater.statistics.effective_solved, updater.statistics.bytes_dirty), (1, 4))
 
     def test_lights_flash_by_the_time(self):
         flash = litfog.Flash(2, [(0.5, 0.25, 5)])

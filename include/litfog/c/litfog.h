@@ -549,6 +549,8 @@ typedef struct litfog_fog_light_changes {
   size_t kind_count;
   const litfog_entry_range* instances;
   size_t instance_count;
+  const litfog_entry_range* effective_intensities;
+  size_t effective_intensity_count;
 } litfog_fog_light_changes;
 
 /// The tables. Valid until the next call on the updater that is not const.
@@ -565,6 +567,7 @@ typedef struct litfog_fog_update_statistics {
   size_t kinds_skipped;
   size_t lights_skipped;
   size_t bytes_dirty;
+  size_t effective_solved;
 } litfog_fog_update_statistics;
 
 #define LITFOG_DEFAULT_SKIP_BUDGET_255 0.5  ///< half a step of an 8-bit picture
@@ -595,6 +598,12 @@ LITFOG_API litfog_status litfog_updater_remove(litfog_updater* updater, litfog_l
 /// once a frame. Allocates nothing.
 LITFOG_API litfog_status litfog_updater_set_fog(litfog_updater* updater, const litfog_fog* fog,
                                                 litfog_fog_light_changes* changes);
+
+/// Lets set_fog solve the effective intensity of each kind, too, for all orders of scattering.
+LITFOG_API litfog_status litfog_updater_solve_effective_intensities(litfog_updater* updater);
+/// The effective intensities, m^2, one a kind; none unless they are solved. Valid as long as the tables.
+LITFOG_API litfog_status litfog_updater_effective_intensities(const litfog_updater* updater, const float** intensities,
+                                                              size_t* count);
 
 LITFOG_API litfog_status litfog_updater_tables(const litfog_updater* updater, litfog_fog_light_tables* tables);
 LITFOG_API litfog_status litfog_updater_statistics(const litfog_updater* updater,
