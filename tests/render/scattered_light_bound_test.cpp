@@ -34,7 +34,8 @@ TEST(ScatteredLightBound, NoSurfaceReceivesMore) {
         scene.lights.push_back(light);
       }
       const RenderSettings settings{.fog_lighting = FogLighting::airlight, .scattering = Scattering::all};
-      const SceneLights lights(scene, settings);
+      SceneLights lights(scene, settings);
+      lights.set_fog(air.fog);
       const HigherOrders orders(lights, {}, air);
       const ScatteredLightBound bound(lights, orders, density);
       const ThinBeams beams = make_thin_beams(air, *orders.table);
