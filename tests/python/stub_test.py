@@ -20,6 +20,8 @@ airlights: np.ndarray[tuple[int, ...], np.dtype[np.float64]] = litfog.airlight(
     litfog.PlacedLight(lamp), litfog.Atmosphere(litfog.Fog("exp2")), rays, "clear"
 )
 litfog.airlight(litfog.PlacedLight(litfog.read_light(litfog.data_dir)), litfog.Atmosphere(fog), ((0, 0, 0), (0, 0, -1), 5))
+beams = litfog.make_thin_beams(litfog.Atmosphere(fog), litfog.make_scattering_table(litfog.Atmosphere(fog)))
+litfog.scattering_source(lamp, litfog.Atmosphere(fog), beams).beam.tobytes()
 updater = litfog.FogUpdater()
 handle: litfog.FogLightHandle = updater.add(litfog.PlacedLight(lamp, carried=True))
 for dirty in updater.set_fog(fog).kinds:
