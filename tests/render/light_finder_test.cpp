@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <numbers>
 
 #include "reference/random_light.h"
 #include "render/random_box.h"
@@ -56,6 +57,22 @@ TEST(LightFinder, LightsThatReachAreNamedInTheirOrder) {
   EXPECT_EQ(finder.reaching(box, std::vector<std::int32_t>{1, 2}), (std::vector<std::int32_t>{2}));
 }
 
+/// Expects a finder to list exactly the lamps of can_reach() for each box. Returns how many were listed.
+std::size_t expect_those_that_can_reach(const std::vector<PlacedLight>& lamps, const std::vector<double>& extents,
+                                        const std::vector<Bounds>& boxes) {
+  const render::LightFinder finder(lamps, extents);
+  std::size_t listed = 0;
+  for (const Bounds& box : boxes) {
+    std::vector<std::int32_t> expected;
+    for (std::size_t i = 0; i < lamps.size(); ++i) {
+      if (can_reach(lamps[i], extents[i], box)) expected.push_back(std::int32_t(i));
+    }
+    EXPECT_EQ(finder.reaching(box), expected);
+    listed += expected.size();
+  }
+  return listed;
+}
+
 TEST(LightFinder, LightThatCanReachIsFoundAmongMany) {
   std::vector<PlacedLight> lamps(1000);
   std::vector<double> extents;
@@ -65,16 +82,38 @@ TEST(LightFinder, LightThatCanReachIsFoundAmongMany) {
     lamps[i].direction = {0, -1, 0};
     extents.push_back(i == 77 ? std::numeric_limits<double>::infinity() : double(i % 20));
   }
-  const render::LightFinder finder(lamps, extents);
+  std::vector<Bounds> boxes;
   for (int step = 0; step < 100; ++step) {
     const glm::vec3 low{float(step * 3), -2, float(step * 2)};
-    const Bounds box{low, low + glm::vec3(5, 1, 9)};
-    std::vector<std::int32_t> expected;
-    for (std::size_t i = 0; i < lamps.size(); ++i) {
-      if (can_reach(lamps[i], extents[i], box)) expected.push_back(std::int32_t(i));
-    }
-    EXPECT_EQ(finder.reaching(box), expected) << step;
+    boxes.push_back({low, low + glm::vec3(5, 1, 9)});
   }
+  EXPECT_GT(expect_those_that_can_reach(lamps, extents, boxes), 100u);
+}
+
+TEST(LightFinder, AnyConeRangeAndBoxAreDecidedAsByCanReach) {
+  constexpr double kHuge = std::numeric_limits<double>::infinity();
+  Random random(8);
+  std::vector<PlacedLight> lamps(2000);
+  std::vector<double> extents;
+  for (std::size_t i = 0; i < lamps.size(); ++i) {
+    PlacedLight& lamp = lamps[i];
+    lamp.position = i % 7 == 0 ? glm::dvec3(glm::round(random_point(random, 30))) : random_point(random, 40);
+    lamp.direction = i % 5 == 0 ? glm::dvec3(0, -1, 0) : glm::normalize(random_point(random, 1));
+    const double half_angles[] = {std::numbers::pi / 2, 1e-6, random.uniform(0.01, 3.1), random.uniform(0.01, 0.3)};
+    if (i % 5 != 4) lamp.light.cone = Cone::smoothstep(0, half_angles[i % 5]);
+    const double ranges[] = {kHuge, 0, 1e-9, random.uniform(1, 60), random.uniform(1, 60), 1e5};
+    extents.push_back(ranges[i % 6]);
+  }
+  std::vector<Bounds> boxes;
+  for (int i = 0; i < 500; ++i) {
+    Bounds box = random_box(random);
+    if (i % 3 == 1) box = {glm::round(box.low), glm::round(box.high)};  // touches cones and lamps exactly
+    if (i % 3 == 2) box.high = box.low + glm::vec3(0, i % 2 == 0 ? 0.0f : 1e4f, 50.0f);  // flat, or a line
+    boxes.push_back(box);
+  }
+  const std::size_t listed = expect_those_that_can_reach(lamps, extents, boxes);
+  EXPECT_GT(listed, 100'000u);
+  EXPECT_LT(listed, 900'000u);
 }
 
 }  // namespace

@@ -16,8 +16,10 @@ namespace litfog::render {
 /// extent  metres; infinity asks for the cone alone
 bool can_reach(const PlacedLight& light, double extent, const scene::Bounds& box);
 
-/// Finds the lights, among many, that can reach a box. Neighbours in a scene's list are mostly neighbours in space,
-/// because its lights stand in rows: a box that no light of a group can reach is not tested against each of them.
+/// Finds the lights, among many, that can reach a box: those of can_reach(), which is asked only about the few lights
+/// that a bound of their sectors does not decide (in `approach` 0.2% of 50 million). Neighbours in a scene's list are
+/// mostly neighbours in space, because its lights stand in rows: a box that no light of a group can reach is not tested
+/// against each of them.
 class LightFinder {
  public:
   /// lights, extents (metres)  have to outlive this
@@ -34,9 +36,21 @@ class LightFinder {
     glm::dvec3 high;
   };
 
+  struct Sector {
+    glm::dvec3 apex;
+    glm::dvec3 axis;
+    double range;
+    double cos_half_angle;
+    double sin_half_angle;
+  };
+
+  /// can_reach() of a light and a box of a centre and half a size.
+  bool reaches(std::size_t light, const scene::Bounds& box, const glm::dvec3& centre, const glm::dvec3& half) const;
+
   std::span<const PlacedLight> lights_;
   std::span<const double> extents_;
-  std::vector<Box> groups_;  // what each group of lights can reach
+  std::vector<Sector> sectors_;  // one a light
+  std::vector<Box> groups_;      // what each group of lights can reach
 };
 
 }  // namespace litfog::render
