@@ -185,9 +185,10 @@ FrameStatistics Renderer::draw_and_measure() {
   follow_camera();
   FrameStatistics statistics;
   statistics.fog_bytes_uploaded = fog_bytes_;
-  statistics.lights_per_fragment = count_lights_per_fragment();
   planner_.forget();
   statistics.counts = draw_stages({exposure_, exposure_}, LightPoints::on, &statistics);
+  // Counted last, because the driver frees the picture of the counts in the next draw, which would be a stage's.
+  statistics.lights_per_fragment = count_lights_per_fragment();
   return statistics;
 }
 
