@@ -11,6 +11,7 @@
 #include <utility>
 
 #include "files/angle_deg.h"
+#include "fit/two_lights.h"
 #include "fit/verdict.h"
 #include "litfog/color_temperature.h"
 #include "text/shown_number.h"
@@ -47,8 +48,9 @@ struct Trials {
   }
 };
 
-/// An error must become this much smaller for a change to be worth a sentence.
+/// An error must become this much smaller for a change to be worth a sentence, or a second light, which is drawn.
 constexpr double kWorthwhile = 0.95;
+constexpr double kWorthASecondLight = 0.7;
 
 void advise_on_color(const glm::dvec3& color, Advice& advice) {
   constexpr double kLikelyBytes = 20;  // a blue of luminance 1 has 14
@@ -81,7 +83,7 @@ void advise_on_source_radius(const LightFit& fit, Advice& advice) {
   const LightTarget& target = fit.target;
   const double radius = fit.light.source_radius, wanted = unstated_source_radius(target);
   if (target.source_radius || radius == 0) return;
-  if (!target.luminaire || opening_radius(target.luminaire->opening) == 0) {
+  if (target.opening_radius == 0) {
     advice.add(
         "The size of the lamp is not known: a source radius of {} m is taken. A spec's source_radius_m states it.",
         shown_rounded(radius, 3));
@@ -158,7 +160,8 @@ void advise_on_edge(const LightFit& fit, Advice& advice) {
              shown_angle(cutoff_angle(best.cone)), percent(edge, 2), dark_profile(*fit.cone));
 }
 
-void advise_on_flux(const ConeFit& cone, Advice& advice) {
+void advise_on_flux(const LightFit& fit, Advice& advice) {
+  const ConeFit& cone = *fit.cone;
   const std::optional<double>& error = cone.best().flux_error;
   if (!error || std::abs(*error) <= 0.1) return;
   const auto nearest = std::ranges::min_element(cone.profiles, {}, [](const ConeProfileFit& each) {
@@ -170,6 +173,16 @@ void advise_on_flux(const ConeFit& cone, Advice& advice) {
              is_other_nearer ? fmt::format(". Of --profile {} it is off by {:+.0f} %",
                                            facts_of(nearest->cone.profile).name, 100 * *nearest->flux_error)
                              : "");
+  const auto two = *error < 0 ? fit_two_lights(fit) : std::nullopt;
+  if (!two || two->beam_error >= kWorthASecondLight * *fit.beam_error() ||
+      std::abs(two->flux_error) >= kWorthASecondLight * std::abs(*error)) {
+    return;
+  }
+  advice.add(
+      "--spill writes a second light for it. Both have {} of the file's {} lm, and are off by {} of the beam (rms) in "
+      "place of {}.",
+      shown_rounded(*two->beam.flux, 4), shown_rounded(luminous_flux(fit.target.luminaire->distribution), 4),
+      percent(two->beam_error, 2), percent(*fit.beam_error(), 2));
 }
 
 /// Where the mean over the turn of a nearly round beam is brightest, if its middle has less than half of that. Radians.
@@ -247,14 +260,14 @@ std::vector<std::string> advice_on(const LightFit& fit, const FitChoices& choice
   } else {
     advice.add("No range is given: the light does not fall off. Give its extent or a falloff table.");
   }
-  if (fit.cone) {
+  if (fit.cone && !choices.has_spill) {
     advise_on_axis(trials, advice);
     advise_on_cookie(trials, advice);
     if (!fit.cookie) {
-      advise_on_flux(*fit.cone, advice);
+      advise_on_flux(fit, advice);
       advise_on_edge(fit, advice);
     }
-  } else {
+  } else if (!fit.cone) {
     advice.add("No cone is given: a point light.");
   }
   if (fit.range) advise_on_source_radius(fit, advice);

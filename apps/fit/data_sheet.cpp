@@ -262,10 +262,18 @@ std::string shown_extent(const LightFit& fit) {
   return fit.range ? shown_rounded(compute_extent(fit.light.attenuation, fit.light.threshold), 4) : "-";
 }
 
-/// How far the light is from what was measured.
-std::string errors_of(const LightFit& fit) {
+/// One of two lights.
+std::string shown_part(const LightFit& fit) {
+  const BeamData beam = light_beam(fit);
+  return fmt::format("{} cd, {} lm, {} deg at 50 %, {} deg at 10 %, ends at {} m", shown(beam.peak), shown(beam.flux),
+                     shown(beam.beam_angle), shown(beam.field_angle), shown_extent(fit));
+}
+
+/// How far the light, or both, are from what was measured.
+std::string errors_of(const Outcome& outcome) {
+  const LightFit& fit = *outcome.fit;
   std::vector<std::string> errors;
-  if (const auto error = fit.beam_error()) {
+  if (const auto error = outcome.two ? outcome.two->beam_error : fit.beam_error()) {
     errors.push_back(fmt::format("{} of the beam (rms)", shown_rounded(percent_of(*error), 3) + " %"));
   } else if (fit.cone) {
     errors.push_back(fmt::format("{} % of the peak (rms)", shown_rounded(percent_of(fit.cone->best().rms), 3)));
@@ -282,18 +290,23 @@ std::string errors_of(const LightFit& fit) {
 
 std::string format_report(const Outcome& outcome) {
   const LightFit& fit = *outcome.fit;
-  const BeamData data = beam_data(fit), light = light_beam(fit);
+  const BeamData data = beam_data(fit), light = light_beam(outcome);
   std::string text = command::printable(fmt::format("{}, from {}", fit.light.name, fit.target.file)) + "\n";
   text += fmt::format("  {}: {}\n", name_of(outcome.verdict->grade), outcome.verdict->why);
-  text += line_of("", "data", "light", "");
+  text += line_of("", "data", outcome.two ? "both lights" : "light", "");
   text += line_of("candela", shown(data.peak), shown(light.peak), change_of(data.peak, light.peak));
   text += line_of("lumens", shown(data.flux), shown(light.flux), change_of(data.flux, light.flux));
   text += line_of("50 % angle, deg", shown(data.beam_angle), shown(light.beam_angle),
                   change_of(data.beam_angle, light.beam_angle));
   text += line_of("10 % angle, deg", shown(data.field_angle), shown(light.field_angle),
                   change_of(data.field_angle, light.field_angle));
-  text += line_of("ends at, m", "", shown_extent(fit), "");
-  text += line_of("off by", errors_of(fit), "", "");
+  if (outcome.two) {
+    text += line_of("hot spot", shown_part(outcome.two->hot_spot), "", "");
+    text += line_of("spill", shown_part(outcome.two->spill), "", "");
+  } else {
+    text += line_of("ends at, m", "", shown_extent(fit), "");
+  }
+  text += line_of("off by", errors_of(outcome), "", "");
   constexpr std::size_t kMaxLines = 15;
   std::size_t lines = std::size_t(std::ranges::count(text, '\n'));
   const std::size_t most = kMaxLines - lines - 1;

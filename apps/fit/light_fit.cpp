@@ -150,8 +150,7 @@ LightFit fit_light(LightTarget target) {
 }
 
 double unstated_source_radius(const LightTarget& target) {
-  const double opening = target.luminaire ? opening_radius(target.luminaire->opening) : 0;
-  return opening > 0 ? opening : kDefaultSourceRadius;
+  return target.opening_radius > 0 ? target.opening_radius : kDefaultSourceRadius;
 }
 
 const IntensityDistribution* LightFit::beam() const {
@@ -166,20 +165,31 @@ bool LightFit::is_proven() const {
 
 std::optional<double> LightFit::beam_error() const {
   if (!beam()) return std::nullopt;
+  if (!cookie) {
+    const std::vector<AxialSample> circles = AxialBeam(*beam(), target.axis).profile();
+    const double mean = std::ranges::max_element(circles, {}, &AxialSample::mean)->mean;
+    return beam_error_of([&](double angle) { return mean * cone_at(light.cone, std::cos(angle)); });
+  }
+  const double largest = find_peak(*beam()).intensity;
+  return beam_error_of([&](double, const glm::dvec3& direction) { return largest * cookie_at(*cookie, direction); });
+}
+
+double LightFit::beam_error_of(const std::function<double(double angle)>& candela) const {
+  return beam_error_of([&](double angle, const glm::dvec3&) { return candela(angle); });
+}
+
+double LightFit::beam_error_of(const std::function<double(double angle, const glm::dvec3& direction)>& candela) const {
   constexpr int kTurns = 72;
   const glm::dmat3 frame = luminaire_from_light(target.axis);
   const std::vector<AxialSample> circles = AxialBeam(*beam(), target.axis).profile();
-  const auto brightest = std::ranges::max_element(circles, {}, &AxialSample::mean);
-  const double cone_peak = brightest->mean, cookie_peak = find_peak(*beam()).intensity;
   double square = 0, total = 0;
   for (std::size_t i = 1; i < circles.size(); ++i) {
     const double angle = std::midpoint(circles[i - 1].angle, circles[i].angle);
     const double area = std::cos(circles[i - 1].angle) - std::cos(circles[i].angle);
-    const double by_cone = cone_peak * cone_at(light.cone, std::cos(angle));
     for (int k = 0; k < kTurns; ++k) {
       const glm::dvec3 direction = direction_of(PhotometryType::c, 2 * std::numbers::pi * k / kTurns, angle);
       const double data = intensity_at(*beam(), frame * direction);
-      const double error = (cookie ? cookie_peak * cookie_at(*cookie, direction) : by_cone) - data;
+      const double error = candela(angle, direction) - data;
       square += area * error * error;
       total += area * data * data;
     }

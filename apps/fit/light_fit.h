@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
+#include <glm/vec3.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -37,6 +39,11 @@ struct LightFit {
   /// How far the light's cone or cookie is from its beam, whatever the axis: sqrt(integral of (light - I)^2 / integral
   /// of I^2) over the sphere, for intensities I. Nothing without a beam.
   std::optional<double> beam_error() const;
+  /// The same of any light with a beam about the axis, by its candela at an angle from there. Needs a beam.
+  double beam_error_of(const std::function<double(double angle)>& candela) const;
+
+ private:
+  double beam_error_of(const std::function<double(double angle, const glm::dvec3& direction)>& candela) const;
 };
 
 /// Metres, of the disc of a luminaire's opening, or the default.

@@ -93,6 +93,7 @@ void apply_tilt(LightTarget& target, double tilt) {
 void set_luminaire(LightTarget& target, Luminaire luminaire, double tilt) {
   target.luminaire = std::move(luminaire);
   target.luminaire_peak = find_peak(target.luminaire->distribution);
+  target.opening_radius = opening_radius(target.luminaire->opening);
   apply_tilt(target, tilt);
   target.peak = target.luminaire_peak.intensity;
 }
@@ -137,6 +138,7 @@ std::string source_of(double end_illuminance) {
 void set_end(LightTarget& target, double lux) {
   const double peak = *target.light_peak, threshold = target.range->threshold;
   const auto [size, extent] = compute_end(peak, lux, threshold);
+  target.end_illuminance = lux;
   target.size = size;
   target.range->extent = extent;
   target.derived.push_back(fmt::format("Extent: sqrt((1 - {}) * {} cd / {} lx) = {} m, where the light gives {} lx{}.",
@@ -432,6 +434,18 @@ LightTarget target_of(Luminaire stated, const std::string& path, const FitChoice
   if (const auto error = find_error(*target.cone)) throw InputError({.file = path}, to_string(*error));
   set_range_of_luminaire(target);
   return target;
+}
+
+LightTarget part_of(const LightTarget& whole, const std::string& what, ConeTarget cone) {
+  LightTarget part = whole;
+  part.name += ", " + what;
+  part.derived = {sentence_on_cone(whole), fmt::format("Light: the {} of this beam, one of two lights.", what)};
+  part.peak = part.light_peak = peak_of(cone.samples);
+  part.cone = std::move(cone);
+  part.luminaire.reset();
+  part.flux.reset();
+  set_end(part, *whole.end_illuminance);
+  return part;
 }
 
 bool hangs(const Luminaire& luminaire) {

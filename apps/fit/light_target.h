@@ -43,6 +43,7 @@ struct FitChoices {
   AxisChoice axis = {};
   double tilt = 0;         ///< radians, by which a luminaire with tilt data is tilted as it is mounted
   int cookie_size = 0;     ///< texels along an edge of the cookie that replaces the light's cone; 0: none
+  bool has_spill = false;  ///< the beam's spill becomes a light of its own
   bool is_robust = false;  ///< outliers of a falloff table count less
 };
 
@@ -62,6 +63,7 @@ struct LightTarget {
   double size = 1;  ///< the light's colour is `color` times this
   double density_scale = 1;
   std::optional<double> source_radius = std::nullopt;  ///< metres, as stated
+  double opening_radius = 0;                           ///< metres, of a luminaire's opening; 0: not known
   InputLocation source_radius_location = {};           ///< where it is stated
   Flash flash = {};
   std::optional<AttenuationTarget> range = std::nullopt;
@@ -70,7 +72,8 @@ struct LightTarget {
   /// luminaire is fitted to means over the turn, so that it has their largest; a cookie has the beam's. Nothing where
   /// the extent is stated.
   std::optional<double> light_peak = std::nullopt;
-  std::optional<double> flux = std::nullopt;  ///< lumens, as stated
+  std::optional<double> end_illuminance = std::nullopt;  ///< lx, from which the extent follows, if it does
+  std::optional<double> flux = std::nullopt;             ///< lumens, as stated
   /// With the luminaire's profile about the axis as its samples, if there is a luminaire. With the circles of equal
   /// solid angle as its angles, if those are an elliptical beam's.
   std::optional<ConeTarget> cone = std::nullopt;
@@ -94,6 +97,13 @@ LightTarget read_photometric_spec(const std::string& path, const FitChoices& cho
 ///
 /// path  path of its file
 LightTarget target_of(Luminaire stated, const std::string& path, const FitChoices& choices = {});
+
+/// A part of a luminaire's beam as a light of its own, which ends where it gives the same illuminance as the whole.
+///
+/// whole  a target with a luminaire and an end_illuminance
+/// what   names the part
+/// cone   candela, of the part
+LightTarget part_of(const LightTarget& whole, const std::string& what, ConeTarget cone);
 
 /// Whether a luminaire's photometric axis points down, as in files of type C, and not ahead.
 bool hangs(const Luminaire& luminaire);

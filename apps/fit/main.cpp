@@ -107,6 +107,9 @@ aimed elsewhere. --details says which, and --axis moves it: in degrees to the ri
 else by the file's two angles. --details also has how far a beam is from rotational symmetry, and --cookie keeps its
 shape as a cube map.
 
+A beam may have a hot spot in a wide spill, of which one cone leaves out much of the flux. --spill fits two cones about
+the axis, whose sum is nearest to the beam, and writes two lights: put both at the lamp's place.
+
 An isocandela table is CSV with commas, or with semicolons and decimal commas; lines with # are comments. It is a grid
 of candela, with degrees to the right and above,
   vertical_deg,-10,-5,0,5,10
@@ -127,6 +130,7 @@ Examples:
   litfog-fit landing-lamp.json                                the report, in 15 lines; --details has more
   litfog-fit landing-lamp.json -o light.json --plot fit.png   the light, which litfog-solve and litfog-demo read
   litfog-fit flood.ies -o flood.json --cookie flood.exr --cookie-size 128
+  litfog-fit spot.ies -o spot.json --spill spot-spill.json    a beam of a hot spot and a spill
   litfog-fit specs/*.json lamps/*.ldt -o lights               a light each, and a table of all
   litfog-fit lamps --catalogue catalogue --format csv         all of a folder: pictures, a page, a table as CSV
   litfog-fit landing-lamp --against my-lamp.ies --plot both.png
@@ -145,6 +149,7 @@ struct Options {
   bool is_forced = false;
   std::string plot;
   std::string cookie;
+  std::string spill;
   TableFormat format = TableFormat::text;
 };
 
@@ -244,6 +249,7 @@ OutputFiles files_to_write(const Options& options, const std::vector<Input>& inp
     files.add(option, *picture);
     if (!options.is_forced) expect_picture_or_nothing(*picture);
   }
+  if (!options.spill.empty()) files.add("--spill", options.spill);
   for (const Input& input : inputs) files.expect_apart_from(input.path);
   for (const Traits& trait : traits) {
     if (trait.photometry) files.expect_apart_from(*trait.photometry);
@@ -261,7 +267,27 @@ LightTarget read(const Input& input, const FitChoices& choices) {
     throw litfog::InputError({input.path, 1, 1}, "cone.photometry", "",
                              "must be given for a cookie, or the angles of an elliptical beam");
   }
+  if (choices.has_spill && !(target.luminaire && target.end_illuminance && target.range->samples.empty())) {
+    throw litfog::InputError({input.path, 1, 1}, "cone.photometry", "",
+                             "must be given for two lights, with a range that states no extent_m and no samples");
+  }
   return target;
+}
+
+std::string text_of(const LightFit& fit) {
+  std::vector<std::string> source = fit.target.source;
+  source.insert(source.end(), fit.target.derived.begin(), fit.target.derived.end());
+  return litfog::format_light(fit.light, source, fit_record(fit));
+}
+
+/// Puts two lights in the place of one.
+void split(Outcome& outcome) {
+  outcome.two = fit_two_lights(*outcome.fit);
+  if (!outcome.two)
+    throw litfog::InputError({.file = outcome.input.path}, "must have a beam with a spill for two lights");
+  outcome.light = text_of(outcome.two->hot_spot);
+  outcome.spill = text_of(outcome.two->spill);
+  outcome.verdict = judge(*outcome.two);
 }
 
 /// Throws the usage error of an output that is one of the files that the input names.
@@ -273,12 +299,13 @@ Outcome fit(const Options& options, const Input& input, const std::string& outpu
     if (input.error) std::rethrow_exception(input.error);
     LightTarget target = read(input, options.choices);
     for (const std::string& file : files_of(input, target)) files.expect_apart_from(file);
-    if (options.catalogue.empty() && !options.is_forced && !output.empty()) expect_fitted_light_or_nothing(output);
+    for (const std::string& light : {output, options.spill}) {
+      if (options.catalogue.empty() && !options.is_forced && !light.empty()) expect_fitted_light_or_nothing(light);
+    }
     const LightFit& fitted = outcome.fit.emplace(fit_light(std::move(target)));
-    std::vector<std::string> source = fitted.target.source;
-    source.insert(source.end(), fitted.target.derived.begin(), fitted.target.derived.end());
-    outcome.light = litfog::format_light(fitted.light, source, fit_record(fitted));
+    outcome.light = text_of(fitted);
     outcome.verdict = judge(fitted);
+    if (options.choices.has_spill) split(outcome);
     outcome.advice =
         advice_on(fitted, options.choices, [&input](const FitChoices& other) { return read(input, other); });
     if (!fitted.is_proven() || outcome.verdict->grade == Grade::poor) outcome.status = kNotToTolerance;
@@ -394,7 +421,10 @@ void write_kept(const Options& options, const std::vector<Outcome>& outcomes) {
   if (!options.plot.empty() && is_whole) {
     figure = draw_figure(fit_figure(fits), figure_format_of("--plot", options.plot));
   }
-  for (const Outcome& outcome : outcomes) write_light(outcome);
+  for (const Outcome& outcome : outcomes) {
+    write_light(outcome);
+    if (outcome.two) litfog::files::write_whole_file(options.spill, outcome.spill);
+  }
   if (!figure.empty()) litfog::files::write_whole_file(options.plot, figure);
   if (!options.cookie.empty() && is_whole) {
     litfog::files::write_whole_file(options.cookie, format_cookie(*fits.front()->cookie));
@@ -429,6 +459,7 @@ ExitStatus run(const CLI::App& app, const Options& options) {
   check_options(
       app, {{"several inputs", inputs.size() > 1 && !is_pair, {"--plot"}, "it shows a single light"},
             {"several inputs", inputs.size() > 1, {"--cookie"}, "it shows a single light"},
+            {"several inputs", inputs.size() > 1, {"--spill"}, "it is of a single beam"},
             {"several inputs", inputs.size() > 1, {"--details"}, "it shows a single light"},
             {"no output", (options.output + options.plot + options.cookie).empty(), {"--force"}, "it replaces files"}});
   if (!options.plot.empty()) figure_format_of("--plot", options.plot);
@@ -519,11 +550,11 @@ int main(int argc, char** argv) {
   add_number(app, "--tilt", tilt_deg, kTiltRule,
              "Degrees by which the luminaire is tilted as it is mounted, for files with tilt data; 0 if not given");
   app.option_defaults()->group("Output");
-  app.add_option(
-         "-o,--output", options.output,
-         "Write the light here, where nothing is or a fitted light; of several inputs, NAME.json each in this folder, "
-         "made if missing")
-      ->type_name("FILE|FOLDER");
+  CLI::Option* const output = app.add_option("-o,--output", options.output,
+                                             "Write the light here, where nothing is or a fitted light; of several "
+                                             "inputs, NAME.json each in this folder, "
+                                             "made if missing")
+                                  ->type_name("FILE|FOLDER");
   app.add_flag("--force", options.is_forced, "Replace files of other kinds by the light, the plot and the cookie");
   app.add_option("--catalogue", options.catalogue,
                  "Write the lights, their pictures and a page of all of them, index.html, into this folder")
@@ -537,6 +568,10 @@ int main(int argc, char** argv) {
   add_integer(app, "--cookie-size", cookie_size, 1, litfog::kMaxCookieSize,
               "Edge of a face in texels, 256 if not given")
       ->needs(cookie);
+  app.add_option("--spill", options.spill,
+                 "Write a photometric file's beam as two lights at one place: its hot spot to -o, its spill here")
+      ->type_name("FILE.json")
+      ->needs(output);
   app.add_option("--against", options.against, "Another input: both in one table and one plot")->type_name("INPUT");
   app.add_flag("--details", options.has_details,
                "Report more of a single input: derived figures, errors of each sample, and how the optimum is proven");
@@ -548,17 +583,21 @@ int main(int argc, char** argv) {
                                         {"--against", &options.against},
                                         {"--catalogue", &options.catalogue},
                                         {"--plot", &options.plot},
-                                        {"--cookie", &options.cookie}}) {
+                                        {"--cookie", &options.cookie},
+                                        {"--spill", &options.spill}}) {
       if (app.count(option) > 0 && value->empty()) fail_option(option, "", "must not be empty");
     }
     if (!options.cookie.empty()) options.choices.cookie_size = cookie_size;
+    options.choices.has_spill = !options.spill.empty();
     if (app.count("--profile") > 0) options.choices.profile = profile;
     options.choices.tilt = litfog::files::radians(tilt_deg);
-    check_options(app, {{"--format csv or json", options.format != TableFormat::text, {"--details"}, "json has all"},
-                        {"--catalogue",
-                         !options.catalogue.empty(),
-                         {"-o", "--force", "--plot", "--cookie", "--against"},
-                         "its folder holds the lights and their pictures"}});
+    check_options(app,
+                  {{"--spill", options.choices.has_spill, {"--plot", "--cookie", "--details"}, "they show one light"},
+                   {"--format csv or json", options.format != TableFormat::text, {"--details"}, "json has all"},
+                   {"--catalogue",
+                    !options.catalogue.empty(),
+                    {"-o", "--force", "--plot", "--cookie", "--spill", "--against"},
+                    "its folder holds the lights and their pictures"}});
     if (!options.against.empty()) options.inputs.push_back(options.against);
     return run(app, options);
   });

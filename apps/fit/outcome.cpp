@@ -61,12 +61,16 @@ std::string json_of(const BeamData& beam) {
                      angles(beam.field_angle));
 }
 
-/// The beam of the light itself.
-std::string json_of(const LightFit& fit) {
-  std::string beam = json_of(light_beam(fit));
+/// The beam of what is written, and its errors.
+std::string light_beam_json(const Outcome& outcome) {
+  std::string beam = json_of(light_beam(outcome));
   beam.pop_back();
+  const LightFit& fit = *outcome.fit;
+  const auto& two = outcome.two;
   return fmt::format(R"({}, "flux_error": {}, "peak_error": {}, "beam_error": {}}})", beam,
-                     number_or_null(fit.flux_error), number_or_null(fit.peak_error), number_or_null(fit.beam_error()));
+                     number_or_null(two ? two->flux_error : fit.flux_error),
+                     number_or_null(two ? two->peak_error : fit.peak_error),
+                     number_or_null(two ? two->beam_error : fit.beam_error()));
 }
 
 std::string json_of(const std::vector<std::string>& sentences) {
@@ -84,10 +88,12 @@ std::string json_of(const Outcome& outcome) {
       files::json_quoted(outcome.input.path), text_or_null(outcome.output), status_of(outcome),
       text_or_null(outcome.reason), text_or_null(outcome.verdict ? name_of(outcome.verdict->grade) : ""),
       text_or_null(outcome.verdict ? outcome.verdict->why : ""),
-      outcome.fit ? json_of(beam_data(*outcome.fit)) : "null", outcome.fit ? json_of(*outcome.fit) : "null",
+      outcome.fit ? json_of(beam_data(*outcome.fit)) : "null", outcome.fit ? light_beam_json(outcome) : "null",
       text_or_null(has_axis ? describe_axis(*outcome.fit->target.luminaire, outcome.fit->target.axis) : ""),
       outcome.fit ? json_of(outcome.fit->target.derived) : "[]", json_of(outcome.advice));
   text += "\"light\": " + (outcome.fit ? outcome.light : std::string("null"));
+  while (text.ends_with('\n')) text.pop_back();
+  if (outcome.two) text += ",\n\"spill\": " + outcome.spill;
   while (text.ends_with('\n')) text.pop_back();
   return text + "}";
 }
@@ -102,7 +108,7 @@ std::vector<Cell> row_of(const Outcome& outcome) {
   std::vector<Cell> row{outcome.input.path};
   if (outcome.fit) {
     const LightFit& fit = *outcome.fit;
-    const BeamData light = light_beam(fit), data = beam_data(fit);
+    const BeamData light = light_beam(outcome), data = beam_data(fit);
     const auto angle = [](const std::vector<double>& angles) {
       return angles.empty() ? Cell(std::monostate()) : Cell(files::degrees(std::ranges::max(angles)));
     };
@@ -123,9 +129,12 @@ std::vector<Cell> row_of(const Outcome& outcome) {
 
 }  // namespace
 
+BeamData light_beam(const Outcome& outcome) { return outcome.two ? outcome.two->beam : light_beam(*outcome.fit); }
+
 void fail(Outcome& outcome) {
   const auto set = [&outcome](command::ExitStatus status, const std::string& reason) {
     outcome.fit.reset();
+    outcome.two.reset();
     outcome.verdict.reset();
     outcome.advice.clear();
     outcome.status = status;

@@ -10,6 +10,7 @@
 #include "fit/input_list.h"
 #include "fit/light_fit.h"
 #include "fit/light_target.h"
+#include "fit/two_lights.h"
 #include "fit/verdict.h"
 
 namespace litfog::fit {
@@ -19,14 +20,19 @@ struct Outcome {
   Input input;
   std::string output;  ///< empty for none
   std::optional<LightFit> fit;
+  std::optional<TwoLights> two;  ///< the lights that are written in place of the fit's, if that was chosen
   std::optional<Verdict> verdict;
   std::vector<std::string> advice;
-  std::string light;   ///< text of its file
+  std::string light;   ///< text of its file: of two, the hot spot's
+  std::string spill;   ///< text of the spill's file, if there are two
   std::string reason;  ///< why there is none
   command::ExitStatus status = command::kDone;
 
   bool has_light() const { return fit.has_value(); }
 };
+
+/// What is written, one light or two.
+BeamData light_beam(const Outcome& outcome);
 
 /// Makes an outcome one without a light, by the exception that is being handled: every one is the input's own and names
 /// it, except a usage error, which is thrown again.

@@ -109,6 +109,20 @@ Verdict judge(const LightFit& fit) {
   return findings.verdict();
 }
 
+Verdict judge(const TwoLights& lights) {
+  Findings findings;
+  for (const LightFit* light : {&lights.hot_spot, &lights.spill}) {
+    if (light->cone->best().status == ConeFitStatus::unproven)
+      findings.add(Grade::fair, "a better cone is not ruled out");
+  }
+  findings.add_error(&GradeLimits::flux, lights.flux_error, fmt::format("flux off by {}", change(lights.flux_error)));
+  findings.add_error(&GradeLimits::asymmetry, lights.beam_error,
+                     fmt::format("{} of the beam (rms) not in the two lights", percent(lights.beam_error)));
+  findings.add_error(&GradeLimits::peak, lights.peak_error,
+                     fmt::format("intensity off by {} where the beam is brightest", change(lights.peak_error)));
+  return findings.verdict();
+}
+
 const char* name_of(Grade grade) {
   switch (grade) {
     case Grade::good:
@@ -129,11 +143,11 @@ std::string grade_table() {
       {"flux", &GradeLimits::flux},
       {"angle at 50 %", &GradeLimits::beam_angle},
       {"angle at 10 %", &GradeLimits::field_angle},
-      {"asymmetry of the beam", &GradeLimits::asymmetry},
+      {"asymmetry of the beam, error of two lights", &GradeLimits::asymmetry},
       {"intensity where the beam is brightest", &GradeLimits::peak}};
-  std::string table = fmt::format("  {:<38}{:>6}  {:>6}, else it is poor\n", "", "good", "fair");
+  std::string table = fmt::format("  {:<44}{:>6}  {:>6}, else it is poor\n", "", "good", "fair");
   for (const auto& [error, limit] : kErrors) {
-    table += fmt::format("  {:<38}{:>4.0f} %  {:>4.0f} %\n", error, 100 * kGood.*limit, 100 * kFair.*limit);
+    table += fmt::format("  {:<44}{:>4.0f} %  {:>4.0f} %\n", error, 100 * kGood.*limit, 100 * kFair.*limit);
   }
   return table;
 }

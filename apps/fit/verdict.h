@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "fit/light_fit.h"
+#include "fit/two_lights.h"
 
 namespace litfog::fit {
 
@@ -18,7 +18,7 @@ struct GradeLimits {
   double flux;           ///< fraction of the data's
   double beam_angle;     ///< fraction of the 50 % angle
   double field_angle;    ///< fraction of the 10 % angle
-  double asymmetry;      ///< rms fraction of the beam that no cone follows
+  double asymmetry;      ///< rms fraction of the beam that no cone follows, or that two do not
   double peak;           ///< fraction of a stated peak, or of a luminaire's where it is largest
 };
 inline constexpr GradeLimits kGood{0.05, 0.15, 0.05, 0.1, 0.1, 0.15, 0.15, 0.15};
@@ -31,6 +31,7 @@ struct Verdict {
 
 /// A target that cannot be met is poor, a fit that is not shown to be the best is fair at most.
 Verdict judge(const LightFit& fit);
+Verdict judge(const TwoLights& lights);
 
 const char* name_of(Grade grade);
 

@@ -9,8 +9,10 @@
 #include <filesystem>
 #include <functional>
 #include <glm/geometric.hpp>
+#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <sstream>
 #include <string>
 
 #include "command/command_test.h"
@@ -56,19 +58,26 @@ double candela_of(const json& light) {
   return 20 / light["attenuation"]["quadratic"].get<double>();
 }
 
+/// Candela of a light by its cone, at a cosine from the axis.
+std::function<double(double cosine)> candela_by_cone(const json& light) {
+  const json cone = light["cone"];
+  const double peak = candela_of(light);
+  const auto cosine_of = [&cone](const char* degrees) { return std::cos(cone[degrees].get<double>() * pi / 180); };
+  if (cone["profile"] == "cosine") {
+    return [peak, end = cosine_of("half_angle_deg"), exponent = cone["exponent"].get<double>()](double cosine) {
+      return cosine > end ? peak * std::pow(std::max(cosine, 0.0), exponent) : 0;
+    };
+  }
+  return [peak, outer = cosine_of("outer_deg"), inner = cosine_of("inner_deg")](double cosine) {
+    const double t = std::clamp((cosine - outer) / (inner - outer), 0.0, 1.0);
+    return peak * t * t * (3 - 2 * t);
+  };
+}
+
 /// Lumens of a light by its cone.
 double flux_by_cone(const json& light) {
-  const json& cone = light["cone"];
-  const auto cosine_of = [&cone](const char* degrees) { return std::cos(cone[degrees].get<double>() * pi / 180); };
-  const auto fraction = [&](double cosine) {
-    if (cone["profile"] == "cosine") {
-      return cosine > cosine_of("half_angle_deg") ? std::pow(std::max(cosine, 0.0), cone["exponent"].get<double>()) : 0;
-    }
-    const double outer = cosine_of("outer_deg"), inner = cosine_of("inner_deg");
-    const double t = std::clamp((cosine - outer) / (inner - outer), 0.0, 1.0);
-    return t * t * (3 - 2 * t);
-  };
-  return candela_of(light) * integral(9000, 1, [&](double angle, double) { return fraction(std::cos(angle)); });
+  const auto candela = candela_by_cone(light);
+  return integral(9000, 1, [&](double angle, double) { return candela(std::cos(angle)); });
 }
 
 /// Lumens of a light by its cookie.
@@ -99,6 +108,19 @@ std::string street_lamp() {
       text += std::to_string((600 + wing) * (rise < 90)) + " ";
     }
   }
+  return text + "\n";
+}
+
+/// A round beam: a hot spot of 9000 cd in a spill of 1000 cd, which has most of the flux.
+double spotlight(double degrees) {
+  return 9000 * std::exp(-std::pow(degrees / 6, 2)) + 1000 * std::exp(-std::pow(degrees / 35, 4));
+}
+
+std::string ies_of(const std::function<double(double degrees)>& candela) {
+  std::string text = "IESNA:LM-63-2002\n[LUMINAIRE] spotlight\nTILT=NONE\n1 -1 1 91 1 1 2 -0.1 -0.1 0\n1 1 100\n";
+  for (int rise = 0; rise <= 90; ++rise) text += std::to_string(rise) + " ";
+  text += "\n0\n";
+  for (int rise = 0; rise <= 90; ++rise) text += std::to_string(candela(rise)) + " ";
   return text + "\n";
 }
 
@@ -202,6 +224,108 @@ TEST_F(LightFlux, LightOfASpecThatScalesAStreetLampHasItsFlux) {
                            std::string(range) + "}}");
     expect_fluxes("spec.json", flux);
   }
+}
+
+TEST_F(LightFlux, HotSpotAndSpillAsTwoLightsHaveTheCandelaAndFluxThatOneLacks) {
+  write("spot.ies", ies_of(spotlight));
+  const double file_flux = flux_of_file("spot.ies");
+  const json one = report_on("spot.ies");
+  EXPECT_LT(one["light_beam"]["flux_error"].get<double>(), -0.3);
+  EXPECT_EQ(one["verdict"], "poor");
+  EXPECT_FALSE(one.contains("spill"));
+  const std::string advice = one["advice"].dump();
+
+  const json two = report_on("spot.ies", "--spill spill.json");
+  EXPECT_EQ(two["verdict"], "good") << two["why"];
+  const json spill = json::parse(read("spill.json"));
+  EXPECT_EQ(two["light"], light());
+  EXPECT_EQ(two["spill"], spill);
+  const double flux = flux_by_cone(light()) + flux_by_cone(spill), peak = candela_of(light()) + candela_of(spill);
+  expect_near(flux, file_flux, 0.03);
+  expect_near(peak, spotlight(0), 1e-6);
+  expect_near(candela_of(spill), 1000, 0.1);
+  expect_near(two["light_beam"]["flux_lm"], flux, 1e-3);
+  expect_near(two["light_beam"]["peak_cd"], peak, 1e-9);
+  EXPECT_NEAR(two["light_beam"]["flux_error"].get<double>(), flux / file_flux - 1, 2 * kIntegralMaxError);
+  for (const json& each : {light(), spill}) {
+    EXPECT_EQ(each["threshold"], 0.05) << "either ends at 1 of 20 lx";
+    EXPECT_EQ(each["source_radius_m"], 0.05) << "of the opening";
+  }
+
+  const auto hot_spot_candela = candela_by_cone(light()), spill_candela = candela_by_cone(spill);
+  const auto square_of = [](const std::function<double(double cosine, double degrees)>& value) {
+    return integral(9000, 1, [&](double angle, double) {
+      return std::pow(value(std::cos(angle), std::min(angle * 180 / pi, 180.)), 2);
+    });
+  };
+  const auto beam = [](double degrees) { return degrees < 90 ? spotlight(degrees) : 0; };
+  const double error = std::sqrt(square_of([&](double cosine, double degrees) {
+                                   return hot_spot_candela(cosine) + spill_candela(cosine) - beam(degrees);
+                                 }) /
+                                 square_of([&](double, double degrees) { return beam(degrees); }));
+  EXPECT_NEAR(two["light_beam"]["beam_error"].get<double>(), error, 0.01);
+  EXPECT_LT(error, 0.1);
+  EXPECT_LT(error, 0.5 * one["light_beam"]["beam_error"].get<double>());
+  // The advice states what the two lights then have.
+  const auto shown = [](double value, int digits) {
+    std::ostringstream text;
+    text << std::setprecision(digits) << value;
+    return text.str();
+  };
+  EXPECT_NE(advice.find("--spill writes a second light for it. Both have " +
+                        shown(two["light_beam"]["flux_lm"].get<double>(), 4) + " of the file's "),
+            std::string::npos)
+      << advice;
+  EXPECT_NE(advice.find("off by " + shown(100 * two["light_beam"]["beam_error"].get<double>(), 2) + " % of the beam"),
+            std::string::npos)
+      << advice;
+  EXPECT_EQ(two["advice"], json::array());
+
+  const std::string text = run("spot.ies -o light.json --spill spill.json").out;
+  for (const char* part : {"both lights", "\n  hot spot  ", "\n  spill  ", " lm, ", "\n  good: "}) {
+    EXPECT_NE(text.find(part), std::string::npos) << part << text;
+  }
+  EXPECT_LE(std::ranges::count(text, '\n'), 15);
+}
+
+TEST_F(LightFlux, BeamThatOneConeFollowsHasNoAdviceOnASecondLight) {
+  write("cosine.ies", ies_of([](double degrees) { return 500 * std::pow(std::cos(degrees * pi / 180), 40); }));
+  EXPECT_EQ(report_on("cosine.ies")["advice"].dump().find("--spill"), std::string::npos);
+}
+
+TEST_F(LightFlux, TwoLightsOfASpecHaveItsPeakAndEndWhereItSays) {
+  write("spot.ies", ies_of(spotlight));
+  write("spec.json", R"({"litfog": "light-spec", "version": 1, "name": "lamp", "cone": {"photometry": "spot.ies"},
+    "range": {"peak_cd": 20000, "end_lx": 1, "threshold": 0.05}})");
+  const json report = report_on("spec.json", "--spill spill.json");
+  expect_near(candela_of(light()) + candela_of(json::parse(read("spill.json"))), 20'000, 1e-6);
+  EXPECT_EQ(light()["name"], "lamp, hot spot");
+  EXPECT_EQ(json::parse(read("spill.json"))["name"], "lamp, spill");
+}
+
+TEST_F(LightFlux, TwoLightsOfWhatHasNoSpillAreRefusedInOneLine) {
+  write("spot.ies", ies_of(spotlight));
+  write("level.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 2 1 1 2 0 0 0\n1 1 10\n0 180\n0\n9 9\n");
+  write("extent.json", R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "spot.ies"},
+    "range": {"extent_m": 100}})");
+  write("angles.json", R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": 20}, "range":
+    {"peak_cd": 100}})");
+  for (const auto& [input, reason] : {std::pair("level.ies", "level.ies: must have a beam with a spill for two lights"),
+                                      {"extent.json", "must be given for two lights, with a range that states no"},
+                                      {"angles.json", "must be given for two lights, with a range that states no"}}) {
+    const Outcome outcome = run(std::string(input) + " -o light.json --spill spill.json");
+    EXPECT_EQ(outcome.status, command::kBadInput) << input;
+    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
+    EXPECT_FALSE(fs::exists(directory() / "light.json") || fs::exists(directory() / "spill.json")) << input;
+  }
+  write("spill.json", "{}");
+  EXPECT_EQ(run("spot.ies -o light.json --spill spill.json").status, command::kCannotWrite) << "no fitted light";
+  EXPECT_EQ(read("spill.json"), "{}");
+  EXPECT_EQ(run("spot.ies -o light.json --spill light.json").status, command::kUsage);
+  EXPECT_EQ(run("spot.ies --spill spill.json").status, command::kUsage);
+  EXPECT_EQ(run("spot.ies level.ies -o . --spill spill.json").status, command::kUsage);
+  EXPECT_EQ(run("spot.ies -o light.json --spill spill.json --cookie a.exr").status, command::kUsage);
 }
 
 }  // namespace
