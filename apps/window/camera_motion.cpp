@@ -10,6 +10,7 @@ namespace {
 
 constexpr double kNearest = 0.1;  // metres
 constexpr double kFarthest = 1e5;
+constexpr double kClearance = 0.15;  // metres: more than from the eye to the near plane's corners
 
 /// No steeper than a camera may look.
 Direction tilted(const Direction& from, double right, double up) {
@@ -17,6 +18,18 @@ Direction tilted(const Direction& from, double right, double up) {
 }
 
 glm::dvec3 view(const scene::Camera& camera) { return camera.target - camera.position; }
+
+/// Whether a surface is so near that the near plane cuts it.
+bool is_near(const glm::dvec3& at, const measure::TriangleTree& surfaces) {
+  for (const double side : {-1.0, 1.0}) {
+    for (int axis = 0; axis < 3; ++axis) {
+      glm::dvec3 direction(0);
+      direction[axis] = side;
+      if (surfaces.is_met(at, direction, 0, kClearance)) return true;
+    }
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -61,6 +74,14 @@ void approach(scene::Camera& camera, const glm::dvec3& pivot, double factor) {
   const glm::dvec3 forward = axes_of(camera).forward;
   camera.position += way * (1 - left / distance);
   camera.target = camera.position + left * forward;
+}
+
+void stay_before_surfaces(scene::Camera& camera, const scene::Camera& before, const measure::TriangleTree& surfaces) {
+  const glm::dvec3 way = camera.position - before.position;
+  const double length = glm::length(way);
+  if (!(length > 0)) return;
+  const bool goes_through = surfaces.is_met(before.position, way / length, 0, length + kClearance);
+  if (goes_through || (is_near(camera.position, surfaces) && !is_near(before.position, surfaces))) camera = before;
 }
 
 double target_distance(const scene::Camera& camera) { return glm::length(view(camera)); }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "measure/triangle_tree.h"
 #include "scene/scene.h"
 
 namespace litfog::window {
@@ -29,6 +30,9 @@ void orbit(scene::Camera& camera, const glm::dvec3& pivot, double right, double 
 
 /// Multiplies the eye's distance from a point, which ends at 0.1 m and at 100 km. The target is then as far away.
 void approach(scene::Camera& camera, const glm::dvec3& pivot, double factor);
+
+/// Takes back a move of the camera that goes through a surface or comes too near to one.
+void stay_before_surfaces(scene::Camera& camera, const scene::Camera& before, const measure::TriangleTree& surfaces);
 
 double target_distance(const scene::Camera& camera);  ///< metres
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "window/picture_maker.h"
 
+#include <chrono>
 #include <deque>
 #include <utility>
 
@@ -74,7 +75,7 @@ class KeptRenderer {
 }  // namespace
 
 PictureMaker::PictureMaker(scene::Scene scene, std::function<void()> deliver)
-    : scene_(std::move(scene)), surfaces_(scene_), deliver_(std::move(deliver)), thread_([this] { work(); }) {}
+    : scene_(std::move(scene)), deliver_(std::move(deliver)), thread_([this] { work(); }) {}
 
 PictureMaker::~PictureMaker() {
   {
@@ -97,6 +98,12 @@ std::optional<Delivery> PictureMaker::take() {
   const std::lock_guard lock(mutex_);
   if (end_) std::rethrow_exception(std::exchange(end_, nullptr));
   return std::exchange(delivery_, std::nullopt);
+}
+
+const measure::TriangleTree* PictureMaker::surfaces() const {
+  const std::lock_guard lock(mutex_);
+  const bool is_ready = surfaces_.valid() && surfaces_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+  return is_ready ? &surfaces_.get() : nullptr;
 }
 
 bool PictureMaker::is_busy() const {
@@ -165,6 +172,9 @@ void PictureMaker::work() try {
     lock.unlock();
     deliver_();
     lock.lock();
+    // From members of the scene that this thread does not change.
+    if (!surfaces_.valid())
+      surfaces_ = std::async(std::launch::async, [&scene] { return measure::TriangleTree(scene); });
   }
 } catch (...) {
   {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <exception>
 #include <functional>
+#include <future>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -70,8 +71,9 @@ class PictureMaker {
   /// The last delivery, once. Throws what the thread ended with: gl::Unsupported where there is no OpenGL 3.3.
   std::optional<Delivery> take();
   bool is_busy() const;
-  /// The scene's surfaces.
-  const measure::TriangleTree& surfaces() const { return surfaces_; }
+  /// The scene's surfaces: null until a while after the first delivery, because a tree of millions of triangles takes
+  /// seconds.
+  const measure::TriangleTree* surfaces() const;
   /// GL_RENDERER, empty until the first delivery.
   std::string gl_renderer() const;
 
@@ -80,12 +82,12 @@ class PictureMaker {
   bool is_unwanted(const PictureOrder& begun) const;
 
   scene::Scene scene_;  // changed by the thread alone
-  measure::TriangleTree surfaces_;
   std::function<void()> deliver_;
   mutable std::mutex mutex_;  // guards everything below except the thread
   std::condition_variable wake_;
   std::optional<PictureOrder> next_;
   std::optional<Delivery> delivery_;
+  std::shared_future<measure::TriangleTree> surfaces_;
   std::exception_ptr end_;
   std::string gl_renderer_;
   bool is_busy_ = false;

@@ -27,7 +27,6 @@ constexpr double kTargetsPerSecond = 0.5;  // flying speed in distances to the t
 constexpr double kMinSpeed = 1;            // metres a second
 constexpr float kWipeReach = 7;            // pixels
 constexpr double kFarthestSurface = 1e6;   // metres
-constexpr double kClearance = 0.15;        // metres: more than from the eye to the near plane's corners
 
 void* texture_id(const gl::TextureName& texture) {
   return reinterpret_cast<void*>(std::uintptr_t{texture.id()});  // NOLINT: how ImGui takes OpenGL's names
@@ -112,27 +111,6 @@ void zoom(Session& session, const glm::dvec3& pivot, double notches) {
     approach(session.camera, pivot, factor);
   else
     fly(session.camera, 0, 0, (1 - factor) * target_distance(session.camera));
-}
-
-/// Whether a surface is so near that the near plane cuts it.
-bool is_near(const glm::dvec3& at, const measure::TriangleTree& surfaces) {
-  for (const double side : {-1.0, 1.0}) {
-    for (int axis = 0; axis < 3; ++axis) {
-      glm::dvec3 direction(0);
-      direction[axis] = side;
-      if (surfaces.is_met(at, direction, 0, kClearance)) return true;
-    }
-  }
-  return false;
-}
-
-/// Takes back a move of the camera that comes too near to a surface or goes through one.
-void stay_before_surfaces(scene::Camera& camera, const scene::Camera& before, const measure::TriangleTree& surfaces) {
-  const glm::dvec3 way = camera.position - before.position;
-  const double length = glm::length(way);
-  if (!(length > 0)) return;
-  const bool goes_through = surfaces.is_met(before.position, way / length, 0, length + kClearance);
-  if (goes_through || (is_near(camera.position, surfaces) && !is_near(before.position, surfaces))) camera = before;
 }
 
 /// How far a lamp reaches: circles at its extent, and lines along the edge of its cone.
@@ -241,7 +219,7 @@ void PicturePanel::show(const Delivery& delivery, bool is_false_colored) {
   }
 }
 
-void PicturePanel::draw(Session& session, const measure::TriangleTree& surfaces, std::optional<std::size_t> hovered) {
+void PicturePanel::draw(Session& session, const measure::TriangleTree* surfaces, std::optional<std::size_t> hovered) {
   const Area area{ImGui::GetCursorScreenPos(), ImGui::GetContentRegionAvail()};
   const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
   width_ = std::max(int(area.size.x * scale.x), 1);
@@ -265,9 +243,9 @@ void PicturePanel::draw(Session& session, const measure::TriangleTree& surfaces,
   mouse_.reset();
   if (is_over) pointed_ = *(mouse_ = mouse);
   session.ray = ray_through(session.camera, aspect, pointed_);
-  if (const auto hit = surfaces.nearest(session.ray.origin, session.ray.direction, 0, kFarthestSurface)) {
-    session.ray.length = hit->distance;
-  }
+  const auto hit =
+      surfaces ? surfaces->nearest(session.ray.origin, session.ray.direction, 0, kFarthestSurface) : std::nullopt;
+  if (hit) session.ray.length = hit->distance;
   const bool is_at_wipe = is_split && is_over && std::abs(io.MousePos.x - area.wipe_x(session)) < kWipeReach;
   if (ImGui::IsItemActivated()) {
     drags_wipe_ = is_at_wipe;
@@ -286,8 +264,8 @@ void PicturePanel::draw(Session& session, const measure::TriangleTree& surfaces,
   if (is_click) session.picked = under_mouse;
   if (is_over && !is_at_wipe && !ImGui::IsItemActive()) hovered = under_mouse;
   if (is_over && io.MouseWheel != 0) zoom(session, pointed_at(session), double(io.MouseWheel));
-  stay_before_surfaces(session.camera, before, surfaces);
   fly_by_keys(session);
+  if (surfaces) stay_before_surfaces(session.camera, before, *surfaces);
 
   draw.PushClipRect(area.corner, area.end(), true);
   mark_lamps(draw, area, aspect, session, hovered);

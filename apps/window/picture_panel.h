@@ -18,9 +18,9 @@ class PicturePanel {
 
   /// Draws them over all of the window, and takes the mouse and the keyboard for the session.
   ///
-  /// surfaces  of the scene
+  /// surfaces  of the scene; null: none is known yet
   /// hovered   a lamp to be marked besides the picked one
-  void draw(Session& session, const measure::TriangleTree& surfaces, std::optional<std::size_t> hovered);
+  void draw(Session& session, const measure::TriangleTree* surfaces, std::optional<std::size_t> hovered);
 
   /// Where the mouse is over the picture, as fractions of its width and height.
   std::optional<glm::dvec2> mouse() const { return mouse_; }

@@ -5,7 +5,10 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <glm/gtc/matrix_transform.hpp>
 #include <numbers>
+
+#include "scene/model/model_catalogue.h"
 
 namespace litfog::test {
 using namespace window;
@@ -94,6 +97,27 @@ TEST(CameraMotion, ApproachingEndsBeforeTheTarget) {
   expect_near(moved.target, {1, 3.5, -1.5});
 }
 
-}  // namespace
+TEST(CameraMotion, NoStepGoesThroughAWallOrNearerThanTheNearPlaneCuts) {
+  scene::Scene scene;
+  scene.models = {scene::make_model("box", {{"width_m", 40}, {"depth_m", 0.2}, {"height_m", 40}})};
+  scene.instances = {{0, glm::translate(glm::mat4(1), glm::vec3(0, -20, -5))}};
+  const measure::TriangleTree wall(scene);  // from z = -4.9 to -5.1
+  for (const double step : {0.01, 0.3, 3.0, 50.0}) {
+    scene::Camera moved = camera();
+    for (int i = 0; i < 2000; ++i) {
+      const scene::Camera before = moved;
+      fly(moved, 0.1 * step, 0, step);
+      stay_before_surfaces(moved, before, wall);
+      if (moved.position.x > 15) break;
+    }
+    EXPECT_GT(moved.position.z, -4.9 + 0.1) << step;
+    EXPECT_LT(moved.position.z, -4.9 + 0.2 + 2 * step) << step << ": it comes near";
+    const scene::Camera before = moved;
+    fly(moved, 0, 0, -0.5);
+    stay_before_surfaces(moved, before, wall);
+    EXPECT_NE(moved.position, before.position) << step << ": it can go back";
+  }
+}
 
+}  // namespace
 }  // namespace litfog::test

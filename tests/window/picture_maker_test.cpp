@@ -74,6 +74,19 @@ TEST_F(PictureMakerTest, SketchNeedNotWaitForTheWholePictureBefore) {
   EXPECT_FALSE(maker.is_busy());
 }
 
+TEST_F(PictureMakerTest, SurfacesAreKnownAfterTheFirstPicture) {
+  PictureMaker maker(scene_, [] {});
+  EXPECT_EQ(maker.surfaces(), nullptr);
+  maker.order(order(8, 8));
+  wait(maker);
+  while (!maker.surfaces()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+  const glm::dvec3 eye = scene_.camera.position, forward = axes_of(scene_.camera).forward;
+  const auto hit = maker.surfaces()->nearest(eye, forward, 0, 1e6);
+  const auto expected = measure::TriangleTree(scene_).nearest(eye, forward, 0, 1e6);
+  ASSERT_TRUE(hit && expected);
+  EXPECT_EQ(hit->distance, expected->distance);
+}
+
 TEST_F(PictureMakerTest, PicturesAreThoseOfLitfogDemoWhateverHasBeenChanged) {
   PictureMaker maker(scene_, [] {});
   PictureOrder next = order(48, 27);

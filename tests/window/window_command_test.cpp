@@ -10,6 +10,7 @@
 #include <array>
 #include <chrono>
 #include <cstdint>
+#include <cstdio>
 #include <string>
 #include <thread>
 #include <vector>
@@ -191,6 +192,28 @@ TEST_F(WindowCommand, SteeredWindowShowsAndSavesThePictureThatItsCommandDraws) {
       fmt::format("litfog-demo yard.json --visibility {} --scattering single --shadows surfaces --camera ", cat_2)))
       << command;
   EXPECT_NE(command.find(" --set 'lights[0].attenuation.quadratic="), command.npos) << command;
+}
+
+TEST_F(WindowCommand, KeysFlyToAWallAndNotThroughIt) {
+  if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
+  std::string walled = kScene;
+  const std::string box = R"({"model": "box", "width_m": 2, "height_m": 1, "depth_m": 2, "position": [1, 0, 0]})";
+  walled.replace(walled.find(box), box.size(),
+                 R"({"model": "box", "width_m": 30, "height_m": 9, "depth_m": 0.1, "position": [0, 0, 3]})");
+  write("yard.json", walled);
+  start_window(fmt::format("yard.json --size {}x{}", kWidth, kHeight));
+  steer("key ctrl+p");
+  next_line();  // the whole picture is drawn, and the surfaces are known
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  steer("mousemove 600 150 sleep 0.2 keydown w sleep 4 keyup w sleep 0.2 key ctrl+c");  // 4.5 m a second at first
+  const std::string command = next_line();
+  const std::string option = "--camera ";
+  ASSERT_NE(command.find(option), command.npos) << command;
+  double x = 0, y = 0, z = 0;
+  ASSERT_EQ(std::sscanf(command.c_str() + command.find(option) + option.size(), "%lf,%lf,%lf", &x, &y, &z), 3)
+      << command;
+  EXPECT_GT(z, 3.05);
+  EXPECT_LT(z, 6) << "it has come near";
 }
 
 TEST_F(WindowCommand, LampsAreAddedMovedRemovedAndAllOfItIsUndone) {
