@@ -31,7 +31,7 @@ struct PictureOrder {
   std::shared_ptr<const std::vector<PlacedLight>> lights;
   int width = 0;  ///< pixels
   int height = 0;
-  bool is_sketch = false;  ///< soon replaced: an automatic exposure stays as it was, and there is no glare
+  bool is_sketch = false;  ///< soon replaced: an automatic exposure stays as it was, or begins rough; no glare
 
   friend bool operator==(const PictureOrder&, const PictureOrder&) = default;
 };

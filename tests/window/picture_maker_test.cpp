@@ -166,6 +166,21 @@ TEST_F(PictureMakerTest, SketchKeepsTheAutomaticExposure) {
   EXPECT_NE(wait(maker).pictures[0].display.exposure.ev, chosen);
 }
 
+TEST_F(PictureMakerTest, FirstSketchHasNearlyTheExposureOfTheWholePicture) {
+  PictureMaker maker(scene_, [] {});
+  PictureOrder next = order(160, 90);
+  next.settings[0].display.exposure = render::Exposure{.is_auto = true};
+  next.is_sketch = true;
+  maker.order(next);
+  const Delivery sketch = wait(maker);
+  EXPECT_EQ(sketch.pictures[0].light.width, 160);
+  next.is_sketch = false;
+  maker.order(next);
+  const double chosen = wait(maker).pictures[0].display.exposure.ev;
+  EXPECT_NE(chosen, 0);
+  EXPECT_NEAR(sketch.pictures[0].display.exposure.ev, chosen, 0.1);
+}
+
 TEST_F(PictureMakerTest, OrderThatHasNotBegunIsForgottenForTheNext) {
   std::atomic<int> deliveries = 0;
   PictureMaker maker(scene_, [&] { ++deliveries; });
