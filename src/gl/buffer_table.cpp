@@ -22,6 +22,7 @@ void expect_storage_buffers() {
 
 BufferTable::BufferTable(unsigned format, std::size_t texel_bytes, std::size_t entry_bytes)
     : format_(format), texel_bytes_(texel_bytes), entry_bytes_(entry_bytes) {
+  if (!epoxy_is_desktop_gl()) throw Unsupported("OpenGL ES has no tables of lights: its shaders read 2-D textures");
   allocate(entry_bytes);  // because OpenGL has no empty buffer textures
 }
 

@@ -6,21 +6,27 @@
 namespace litfog::gl {
 namespace {
 
-template <typename Generate>
-GLuint generated(Generate generate) {
+/// Deletes nothing meanwhile: libepoxy loads functions when they are first called, and ends a process whose context has
+/// gone by then.
+template <typename Generate, typename Delete>
+GLuint generated(Generate generate, Delete remove) {
   GLuint id = 0;
   generate(1, &id);
+  remove(0, nullptr);
   return id;
 }
 
 }  // namespace
 
-unsigned create_buffer() { return generated(glGenBuffers); }
-unsigned create_framebuffer() { return generated(glGenFramebuffers); }
-unsigned create_program() { return glCreateProgram(); }
-unsigned create_renderbuffer() { return generated(glGenRenderbuffers); }
-unsigned create_texture() { return generated(glGenTextures); }
-unsigned create_vertex_array() { return generated(glGenVertexArrays); }
+unsigned create_buffer() { return generated(glGenBuffers, glDeleteBuffers); }
+unsigned create_framebuffer() { return generated(glGenFramebuffers, glDeleteFramebuffers); }
+unsigned create_program() {
+  glDeleteProgram(0);  // as above
+  return glCreateProgram();
+}
+unsigned create_renderbuffer() { return generated(glGenRenderbuffers, glDeleteRenderbuffers); }
+unsigned create_texture() { return generated(glGenTextures, glDeleteTextures); }
+unsigned create_vertex_array() { return generated(glGenVertexArrays, glDeleteVertexArrays); }
 
 void delete_buffer(unsigned id) { glDeleteBuffers(1, &id); }
 void delete_framebuffer(unsigned id) { glDeleteFramebuffers(1, &id); }

@@ -135,7 +135,9 @@ std::vector<EGLDisplay> candidate_displays() {
 }
 
 /// A current 3.3 core context on an initialised display, or EGL_NO_CONTEXT. Binds the OpenGL API.
-EGLContext make_current_context(EGLDisplay display) {
+///
+/// is_refused  set to whether EGL gave a context but does not make it current on this thread
+EGLContext make_current_context(EGLDisplay display, bool& is_refused) {
   if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context") ||
       !epoxy_has_egl_extension(display, "EGL_KHR_no_config_context") || !eglBindAPI(EGL_OPENGL_API)) {
     return EGL_NO_CONTEXT;
@@ -146,6 +148,7 @@ EGLContext make_current_context(EGLDisplay display) {
   const EGLContext context = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes);
   if (context == EGL_NO_CONTEXT) return EGL_NO_CONTEXT;
   if (eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context)) return context;
+  is_refused = eglGetError() == EGL_BAD_ACCESS;
   eglDestroyContext(display, context);
   return EGL_NO_CONTEXT;
 }
@@ -174,13 +177,15 @@ std::string gl_string(GLenum name) {
 // A display is never terminated: it is one for the whole process, and eglTerminate ends every context on it.
 struct HeadlessContext::Egl {
   Egl() {
+    bool is_refused = false;
     for (EGLDisplay candidate : candidate_displays()) {
       if (!eglInitialize(candidate, nullptr, nullptr)) continue;
       display = candidate;
-      context = make_current_context(display);
+      context = make_current_context(display, is_refused);
       if (context != EGL_NO_CONTEXT) return;
     }
     previous.restore();
+    if (is_refused) throw Unsupported("EGL makes no context current on this thread, because it has one of GLX");
     throw Unsupported(
         "no EGL device gives an OpenGL 3.3 core context without a display (Mesa: install libgl1-mesa-dri)");
   }

@@ -13,12 +13,11 @@
 namespace litfog::gl {
 namespace {
 
-#ifdef __EMSCRIPTEN__  // WebGL 2, which has no default precision for some types
-constexpr std::string_view kShaderHead =
-    "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;";
-#else
-constexpr std::string_view kShaderHead = "#version 330 core";
-#endif
+std::string_view shader_head() {
+  if (epoxy_is_desktop_gl()) return "#version 330 core";
+  // ES has no default precision for some types.
+  return "#version 300 es\nprecision highp float;\nprecision highp int;\nprecision highp sampler2D;";
+}
 
 std::string_view text_of(std::string_view name, std::span<const ShaderSource> own_files) {
   for (std::span<const ShaderSource> files : {own_files, shader_library()}) {
@@ -42,7 +41,7 @@ std::string info_log(GLuint object, GetParameter get_parameter, GetLog get_log) 
 /// Compiles a shader into a program, with which it is deleted.
 void add_shader(GLuint program, GLenum stage, std::string_view name, std::span<const ShaderSource> files) {
   ShaderAssembly assembly([files](std::string_view file) { return text_of(file, files); });
-  assembly.add_line(kShaderHead);
+  assembly.add_line(shader_head());
   assembly.add_file(name);
   const GLuint shader = glCreateShader(stage);
   const char* const text = assembly.text().c_str();

@@ -85,6 +85,21 @@ TEST_F(FogLightTables, TablesWithoutLightsCanBeBound) {
   tables.bind_storage(1, 2);
 }
 
+TEST_F(FogLightTables, ContextOfOpenGlEsHasNone) {
+  const GlesContext gles;
+  EXPECT_THROW(gl::FogLightTables(), gl::Unsupported);
+}
+
+TEST_F(FogLightTables, StorageThatTheDriverLacksIsUnsupported) {
+  if (epoxy_has_gl_extension("GL_ARB_shader_storage_buffer_object")) GTEST_SKIP() << "the driver has them";
+  try {
+    gl::FogLightTables().bind_storage(1, 2);
+    ADD_FAILURE() << "bound";
+  } catch (const gl::Unsupported& error) {
+    EXPECT_TRUE(std::string(error.what()).starts_with("this OpenGL has no storage buffers: ")) << error.what();
+  }
+}
+
 /// What check_fog_light_storage_layout says of a program with these storage buffers.
 std::string error_of_storage(const std::string& buffers) {
   const gl::Program program =

@@ -8,12 +8,20 @@
 #include <array>
 #include <atomic>
 #include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <memory>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "command/no_more_threads.h"
+#include "gl/formula_pixels.h"
 #include "gl/gl_test.h"
+#include "litfog/gl/fog_light_buffer.h"
+#include "litfog/gl/fog_light_tables.h"
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/unsupported.h"
 
@@ -67,24 +75,71 @@ TEST_F(HeadlessContextTest, DestroyingAContextThatIsNotCurrentLeavesTheCurrentOn
 }
 
 TEST_F(HeadlessContextTest, ContextAndApiOfAnApplicationSurvive) {
-  const EGLDisplay display = eglGetCurrentDisplay();
-  const EGLContext outer = eglGetCurrentContext();
-  ASSERT_TRUE(eglBindAPI(EGL_OPENGL_ES_API));
-  constexpr std::array<EGLint, 3> kAttributes{EGL_CONTEXT_MAJOR_VERSION, 3, EGL_NONE};
-  const EGLContext application = eglCreateContext(display, EGL_NO_CONFIG_KHR, EGL_NO_CONTEXT, kAttributes.data());
-  ASSERT_NE(application, EGL_NO_CONTEXT);
-  ASSERT_TRUE(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, application));
+  const GlesContext application;
+  const EGLContext current = eglGetCurrentContext();
   {
     const gl::HeadlessContext headless;
-    EXPECT_NE(eglGetCurrentContext(), application);
+    EXPECT_NE(eglGetCurrentContext(), current);
     EXPECT_TRUE(can_draw());
   }
   EXPECT_EQ(eglQueryAPI(), EGLenum(EGL_OPENGL_ES_API));
-  EXPECT_EQ(eglGetCurrentContext(), application);
+  EXPECT_EQ(eglGetCurrentContext(), current);
   EXPECT_TRUE(can_draw());
-  eglBindAPI(EGL_OPENGL_API);
-  EXPECT_TRUE(eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, outer));
-  EXPECT_TRUE(eglDestroyContext(display, application));
+}
+
+TEST_F(HeadlessContextTest, DisplayThatAnApplicationTerminatesTakesNoOtherContext) {
+  const EGLDisplay display = eglGetCurrentDisplay();
+  for (const bool releases : {false, true}) {
+    const gl::HeadlessContext lost;
+    eglTerminate(display);
+    if (releases) eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
+    const gl::HeadlessContext next;
+    EXPECT_TRUE(can_draw());
+  }
+  // The test's own context is lost, too.
+  const gl::HeadlessContext next;
+  EXPECT_TRUE(can_draw());
+}
+
+/// A member of /proc/self/status.
+long status_of_process(const std::string& name) {
+  std::ifstream file("/proc/self/status");
+  for (std::string word; file >> word;) {
+    if (word == name + ":") {
+      long value = 0;
+      file >> value;
+      return value;
+    }
+  }
+  return -1;
+}
+
+// LITFOG_TEST_CONTEXTS=1000 in the environment makes as many.
+TEST_F(HeadlessContextTest, ContextsThatAreDroppedLeaveNothing) {
+  const char* const asked = std::getenv("LITFOG_TEST_CONTEXTS");
+  const int count = asked ? std::atoi(asked) : 50;
+  const EGLContext outer = eglGetCurrentContext();
+  const auto use_context = [] {
+    const gl::HeadlessContext context;
+    const gl::FogLightTables tables;
+    const gl::FogLightBuffer buffer;
+    EXPECT_TRUE(can_draw());
+  };
+  const auto count_descriptors = [] {
+    using Iterator = std::filesystem::directory_iterator;
+    return std::distance(Iterator("/proc/self/fd"), Iterator());
+  };
+  for (int i = 0; i < 20; ++i) use_context();
+  const auto descriptors = count_descriptors();
+  const long threads = status_of_process("Threads"), kibibytes = status_of_process("VmRSS");
+  for (int i = 0; i < count; ++i) use_context();
+  EXPECT_EQ(count_descriptors(), descriptors);
+  EXPECT_EQ(status_of_process("Threads"), threads);
+  const long grown = status_of_process("VmRSS") - kibibytes;
+  std::printf("%d contexts, %ld KiB more\n", count, grown);
+  EXPECT_LE(grown, 1024);
+  EXPECT_EQ(eglGetCurrentContext(), outer);
+  EXPECT_TRUE(can_draw());
 }
 
 TEST_F(HeadlessContextTest, ThreadsMakeAndDestroyContextsAtOnce) {
@@ -101,6 +156,27 @@ TEST_F(HeadlessContextTest, ThreadsMakeAndDestroyContextsAtOnce) {
   for (std::thread& thread : threads) thread.join();
   EXPECT_EQ(drawn, 100);
   EXPECT_TRUE(can_draw());
+}
+
+TEST_F(HeadlessContextTest, ThreadsWithAContextEachDrawTheSame) {
+  const auto draw = [] {
+    const gl::Program program = FormulaPixels::program(
+        "#include \"litfog/shaders/formulas.glsl\"\n#include \"test/input.glsl\"\n"
+        "void main() { result = vec4(litfog_attenuation(given(0).x, given(0).y, given(0).z, given(0).w)); }\n");
+    std::vector<glm::vec4> points;
+    for (int i = 0; i < 8192; ++i) points.emplace_back(0.1f * float(i), 1.0f, 0.3f, 1e-3f * float(i));
+    return FormulaPixels().draw(program, {points});
+  };
+  const auto expected = draw();
+  std::array<std::thread, 2> threads;
+  for (std::thread& thread : threads) {
+    thread = std::thread([&] {
+      const gl::HeadlessContext own;
+      for (int i = 0; i < 20; ++i) EXPECT_EQ(draw(), expected) << i;
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(draw(), expected);
 }
 
 /// What context_probe prints, run by a shell after what comes before it there.

@@ -15,6 +15,7 @@ namespace litfog::gl {
 class BufferTable {
  public:
   /// format  of the texels, e.g. GL_RGBA32F
+  /// throws  Unsupported in a context of OpenGL ES, whose shaders read 2-D textures (LITFOG_LIGHT_TEXTURE)
   BufferTable(unsigned format, std::size_t texel_bytes, std::size_t entry_bytes);
 
   /// Uploads the changed entries, or the whole table the first time and when it outgrows its buffer. That replaces the

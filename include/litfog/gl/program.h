@@ -14,8 +14,8 @@ namespace litfog::gl {
 /// threads  like GlName
 class Program {
  public:
-  /// Compiles two or three of the given files behind `#version 330 core`; in WebGL 2, for which Emscripten compiles
-  /// this, behind `#version 300 es`. A line `#include "name"` includes a file of `files` or else of shader_library(),
+  /// Compiles two or three of the given files behind `#version 330 core`, or `#version 300 es` in a context of
+  /// OpenGL ES or WebGL 2. A line `#include "name"` includes a file of `files` or else of shader_library(),
   /// each file once. Compile errors name file and line.
   ///
   /// throws  std::logic_error with the driver's log, because shaders are part of the program

@@ -5,6 +5,7 @@
 // Functions that ES 3.0 lacks are declared for code that does not use them there.
 #include <GLES3/gl32.h>
 
+inline bool epoxy_is_desktop_gl() { return false; }
 inline int epoxy_gl_version() { return 30; }
 inline bool epoxy_has_gl_extension(const char* /*extension*/) { return false; }
 
