@@ -76,6 +76,10 @@ Errors are against the discretised equation of transfer (reference). --strip dra
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, over a million lights of 200 kinds, all carried and on.
 bytes_per_step: what then has to be uploaded, the most of all steps.
 
+load: 216,000 steps with a million lights, as in an hour at 60 a second: each moves the visibility and the time, which
+1,000 lights flash by, moves 90 lights, replaces 10 of the 1,000 by lights of new kinds and switches 100. grown_mib:
+resident memory in the end beyond that after a twentieth of the steps.
+
 fit: per table of 20 samples, over 100 tables a problem: exact, 2 and 20 % of noise, outliers, clamped near the light,
 ranges of kilometres and of millimetres. Methods: litfog, proof of the global optimum included; plain Ceres from
 C = L = Q = 1. digits: the fewest in which ln attenuation agrees with the optimum at all samples of any table; the
@@ -154,6 +158,7 @@ const std::vector<Benchmark> kBenchmarks{
     {"glow", "the glow around a point lamp over angle: scattered once, all orders, and by a random walk", draw_glow,
      false, true},
     {"update", "time to follow a visibility step by step over a million lights", measure_update, true},
+    {"load", "an hour of changes of lights and weather, a million lights: steps and memory", measure_load, true},
     {"fit", "time and quality of fits of an attenuation to a falloff table", fit},
     {"render", "frame time and error of every lighting path, over scenes, lights and sizes", draw<measure_render>,
      false, true},

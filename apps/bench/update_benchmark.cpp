@@ -2,9 +2,11 @@
 #include "bench/update_benchmark.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <functional>
 #include <numbers>
 #include <string>
@@ -161,7 +163,99 @@ Record follow_by_batch(const std::string& name, FogMode mode, const std::vector<
   return follow(follower, mode, lights, scale, progress);
 }
 
+/// What the process has of the machine's memory, in MiB.
+double resident_mib() {
+  double whole = 0, resident = 0;
+  std::ifstream("/proc/self/statm") >> whole >> resident;
+  return resident * double(sysconf(_SC_PAGESIZE)) / 1048576;
+}
+
+/// The batch has floats for arguments: some ulps of the intensity each, far below a thousandth of a step.
+constexpr double kRounding255 = 1e-3;
+
+constexpr std::size_t kFlashing = 1000;       ///< lights; those of them that are replaced come as kinds of their own
+constexpr std::size_t kChangesPerStep = 100;  ///< and as many lights switched
+
+struct Load {
+  std::vector<double> milliseconds;  ///< a step
+  std::size_t kinds = 0;
+  double resident_mib = 0;
+  double grown_mib = 0;
+  double max_deviation_255 = 0;
+};
+
+Load follow_load(const Scale& scale, const char* name, command::Progress& progress) {
+  auto lights = draw_lights(scale);
+  for (std::size_t i = 0; i < kFlashing; ++i) {
+    const double start = 1.8 * double(i) / kFlashing;
+    lights[i].light.flash = {.period = 2, .count = 1, .flashes = {{{.start = start, .duration = 0.2, .intensity = 3}}}};
+  }
+  test::Random random(kSeed);
+  FogUpdater updater(0);
+  std::vector<FogLightHandle> handles;
+  handles.reserve(lights.size());
+  for (const PlacedLight& light : lights) handles.push_back(updater.add(light));
+  Fog fog;
+  updater.set_fog(fog);  // the first step's set-up is not measured
+  Load load{.milliseconds = std::vector<double>(scale.steps)};
+  double resident_at_first = 0;
+  for (std::size_t step = 0; step < scale.steps; ++step) {
+    if (step == scale.steps / 20) resident_at_first = resident_mib();
+    fog = Fog::from_visibility(FogMode::exp, visibility_at(step % 3600, 3600));
+    const double begin = thread_milliseconds();
+    for (std::size_t i = 0; i < kChangesPerStep; ++i) {
+      const bool replaces = i % 10 == 0;
+      const auto changed = std::size_t(random.below(int(replaces ? kFlashing : lights.size())));
+      lights[changed].position = {random.uniform(-1e4, 1e4), random.uniform(0, 30), random.uniform(-1e4, 1e4)};
+      if (replaces) {
+        updater.remove(handles[changed]);
+        lights[changed].light.attenuation.quadratic = random.log_uniform(1e-4, 1);
+        handles[changed] = updater.add(lights[changed]);
+      } else {
+        updater.change(handles[changed], lights[changed]);
+      }
+      updater.switch_light(random.pick(handles), random.chance(0.9));
+    }
+    updater.set_time(double(step) / 60);
+    updater.set_fog(fog);
+    load.milliseconds[step] = thread_milliseconds() - begin;
+    progress.show(fmt::format("{}: step {} of {}", name, step + 1, scale.steps));
+  }
+  load.kinds = updater.kinds().size();
+  load.resident_mib = resident_mib();
+  load.grown_mib = load.resident_mib - resident_at_first;
+  for (std::size_t i = 0; i < lights.size(); ++i) {
+    if (updater.instances()[updater.instance_of(handles[i])].color == glm::vec4(0))
+      continue;  // its kind may be skipped
+    const double found = updater.kinds()[updater.kind_of(handles[i])].cone_scale_intensity.w;
+    const double exact = solve_fog_intensity(lights[i].light, fog).intensity;
+    load.max_deviation_255 = std::max(load.max_deviation_255, 255 * std::abs(found - exact));
+  }
+  return load;
+}
+
 }  // namespace
+
+Result measure_load(bool quick) {
+  const Scale scale = quick ? Scale{20'000, 20, 2000, 0} : Scale{1'000'000, 200, 216'000, 0};
+  command::Progress progress;
+  Load load = follow_load(scale, "first run", progress);
+  const auto again = follow_load(scale, "second run", progress).milliseconds;
+  std::ranges::transform(load.milliseconds, again, load.milliseconds.begin(),
+                         [](double a, double b) { return std::min(a, b); });
+  Result result;
+  result.table.columns = {"lights",   "kinds",        "steps",     "ms_per_step",      "ms_99",
+                          "ms_worst", "resident_mib", "grown_mib", "max_deviation_255"};
+  result.table.rows.push_back({double(scale.lights), double(load.kinds), double(scale.steps),
+                               measure::quantile(load.milliseconds, 0.5), measure::quantile(load.milliseconds, 0.99),
+                               measure::quantile(load.milliseconds, 1), load.resident_mib, load.grown_mib,
+                               load.max_deviation_255});
+  if (!(load.max_deviation_255 <= kRounding255)) {
+    result.failures.push_back(
+        fmt::format("deviation = {}/255: must be at most {}/255", load.max_deviation_255, kRounding255));
+  }
+  return result;
+}
 
 Result measure_update(bool quick) {
   const Scale& scale = quick ? kQuick : kFull;
@@ -170,8 +264,6 @@ Result measure_update(bool quick) {
   Result result;
   result.table.columns = {"method",      "fog",       "lights",         "kinds",         "steps",
                           "ms_per_step", "ms_spread", "bytes_per_step", "skipped_share", "max_deviation_255"};
-  // The batch has floats for arguments: some ulps of the intensity each, far below a thousandth of a step.
-  constexpr double kRounding255 = 1e-3;
   for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
     const auto add = [&](const std::string& name, double allowed_255, const Record& record) {
       double share = 0;

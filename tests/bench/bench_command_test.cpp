@@ -332,6 +332,15 @@ TEST_F(BenchMeasurement, UpdateStaysWithinItsBudget) {
                                                "updater-no-skip exp2", "batch-of-all exp", "batch-of-all exp2"}));
 }
 
+TEST_F(BenchMeasurement, LoadLeavesMemoryFlat) {
+  const Outcome outcome = run("load --quick --format json");
+  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Json row = Json::parse(outcome.out)["rows"][0];
+  EXPECT_LE(row["ms_per_step"].get<double>(), row["ms_worst"].get<double>());
+  EXPECT_LE(row["grown_mib"].get<double>(), 1) << row;
+  EXPECT_LE(row["max_deviation_255"].get<double>(), 1e-3) << row;
+}
+
 #ifdef LITFOG_HAS_FIT
 TEST_F(BenchMeasurement, FitFindsEveryOptimumToTheDigitsThatItStates) {
   const Outcome outcome = run("fit --quick --json fit.json --csv fit.csv");
@@ -421,7 +430,7 @@ TEST_F(BenchMeasurement, FullDiskIsNoticed) {
 TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.status, kDone);
-  for (const char* part : {"solve", "airlight", "lamps", "scattering", "glow", "update", "fit", "--json", "--csv",
+  for (const char* part : {"solve", "airlight", "lamps", "scattering", "glow", "update", "load", "fit", "--json", "--csv",
                            "--plot", "--quick", "Exit status:"}) {
     EXPECT_NE(help.out.find(part), std::string::npos) << part;
   }
@@ -432,7 +441,7 @@ TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
   EXPECT_ERROR(run("speed"), kUsage,
                usage_message("benchmark = speed: must be one of "
-                             "solve|airlight|lamps|scattering|glow|update|fit|render|rejection|maps|city"));
+                             "solve|airlight|lamps|scattering|glow|update|load|fit|render|rejection|maps|city"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);

@@ -360,6 +360,22 @@ TEST(ScatteredBeam, LightOfASphereIsTheFlux) {
   }
 }
 
+// Beside a thin beam, whose blur counts for little there, light flows as from a point on it at kApparentStart.
+TEST(ScatteredBeam, LightFlowsAwayFromItsApparentStart) {
+  for (const Phase& phase : {Phase{}, Phase::henyey_greenstein(0.8)}) {
+    const Atmosphere air = uniform_fog(0.1, phase);
+    const BeamMoments moments = beam_moments(Cone::cosine(0.1, 0));
+    for (const auto& row : make_scattered_beam(moments, make_thin_beams(air, make_scattering_table(air))).texels) {
+      for (int column = 7; column < kBeamAngles - 1; ++column) {
+        const double angle = pi * column / (kBeamAngles - 1);
+        const double away = kApparentStart * std::sin(angle), outward = 1 - kApparentStart * std::cos(angle);
+        const ScatteredBeam::Texel& texel = row[std::size_t(column)];
+        EXPECT_NEAR(double(texel.turned) / double(texel.radial) / (away / outward), 1, 0.03) << column;
+      }
+    }
+  }
+}
+
 TEST(ScatteredBeam, NothingJumpsAsALampTurns) {
   for (const Phase& phase : {Phase{}, Phase::droplets(12)}) {
     const Atmosphere air = uniform_fog(0.05, phase);
