@@ -190,6 +190,9 @@ TEST(LightFile, WrittenFileIsReadAndAWrongLightLeavesTheEarlierOne) {
 
 TEST(LightFile, AnglesAreWrittenInDegreesAsTheyWereGiven) {
   for (const double angle : {5.0, 8.75, 10.5, 17.7, 90.0, 180.0, 0.1, 1e-3}) EXPECT_EQ(degrees(radians(angle)), angle);
+  const double between = 0.21029293707130359;  // no double is read back as it
+  EXPECT_NE(radians(degrees(between)), between);
+  EXPECT_DOUBLE_EQ(radians(degrees(between)), between);
 }
 
 TEST(LightFile, FileNeedsItsHeaderAndLendsItsName) {

@@ -123,6 +123,26 @@ TEST_F(LightSpecFile, UnitsOfDataSheetsAreRead) {
   EXPECT_EQ(error_of(R"("range": {"flux_lm": 0})"), "f.json:2:22: range.flux_lm = 0: must be > 0");
 }
 
+TEST_F(LightSpecFile, IlluminanceMayBeATable) {
+  const LightSpec spec = read(R"("range": {"illuminance": [{"range_m": 10, "lx": 9}, {"range_m": 20, "lx": 2}]})");
+  EXPECT_EQ(spec.range->illuminance, (std::vector<RangeSpec::Illuminance>{{10, 9}, {20, 2}}));
+  for (const char* value : {"[]", "9"}) {
+    EXPECT_NE(error_of(R"("range": {"illuminance": )" + std::string(value) + "}").find(
+                  "must be an object of range_m and lx, or an array of them, the rows of a table"),
+              std::string::npos);
+  }
+}
+
+TEST_F(LightSpecFile, FamilyOfARangeIsChosen) {
+  const std::string extent = R"("range": {"extent_m": 9, "family": )";
+  EXPECT_EQ(read(extent + R"("linear"})").range->family, RangeSpec::Family::linear);
+  EXPECT_EQ(read(extent + R"("mixed"})").range->family, RangeSpec::Family::mixed);
+  EXPECT_EQ(error_of(extent + R"("cubic"})"),
+            "f.json:2:36: range.family = \"cubic\": must be one of quadratic, linear, mixed");
+  EXPECT_EQ(error_of(extent + R"("linear", "samples": [{"range_m": 1, "attenuation": 1}]})"),
+            "f.json:2:36: range.family = \"linear\": must not be given beside samples, which choose for themselves");
+}
+
 TEST_F(LightSpecFile, ErrorsOfACallerAreInTheFilesTerms) {
   const LightSpec spec = read(R"("range": {"extent_m": 9e0, "samples": [{"range_m": 1, "attenuation": 1}]},
 "cone": {"beam_angle_deg": 361, "photometry": "lamp.ies"})");

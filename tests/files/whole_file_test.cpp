@@ -177,6 +177,15 @@ TEST_F(WholeFile, FileThatCannotBeMadeIsNotWritable) {
   EXPECT_THROW(expect_writable(path("none/a")), OutputError);
 }
 
+TEST_F(WholeFile, OnlyAFileWithTextWouldBeReplaced) {
+  EXPECT_FALSE(would_replace(path("a")));
+  write_whole_file(path("a"), "");
+  EXPECT_FALSE(would_replace(path("a")));
+  write_whole_file(path("a"), "text");
+  EXPECT_TRUE(would_replace(path("a")));
+  EXPECT_FALSE(would_replace("/dev/null"));
+}
+
 TEST_F(WholeFile, TryingWhetherAFileIsWritableLeavesTheFolderAsItWas) {
   write_whole_file(path("a"), "earlier");
   expect_writable(path("a"));
