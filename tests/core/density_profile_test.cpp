@@ -275,6 +275,8 @@ TEST(DensityProfile, WrongLayersAreErrorsThatNameTheMember) {
             "top = 10: must be above the base");
   EXPECT_EQ(error_of([] { profile_of_layers({FogLayer{.base = kNan, .top = 10, .visibility = 1}}); }),
             "base = nan: must be at most 16777216 in magnitude");
+  EXPECT_EQ(error_of([] { profile_of_layers({FogLayer{.base = 10, .top = 2e7, .visibility = 1}}); }),
+            "top = 2e+07: must be at most 16777216 in magnitude");
   EXPECT_EQ(error_of([] { profile_of_layers({FogLayer{.top = 10, .transition = -1, .visibility = 1}}); }),
             "transition = -1: must be finite and >= 0");
   EXPECT_EQ(error_of([] { profile_of_layers({FogLayer{.top = 10, .visibility = 0}}); }), "visibility = 0: must be > 0");

@@ -148,6 +148,32 @@ TEST(ScatteredLight, PositionThatIsNoneIsNamed) {
   EXPECT_EQ(refused({0, 0, kInfinity}).find("position.z = inf: "), 0u);
 }
 
+// The flow through a sphere around a point lamp is what has been scattered within it. What the two sides of a surface
+// receive differs by the flow through it, and is a fourth of all light in the mean over surfaces.
+TEST(ScatteredLight, NoneIsLost) {
+  const PlacedLight lamp = inverse_square_lamp({1, 2, 3});
+  for (const Phase& phase : {Phase{}, Phase::henyey_greenstein(0.8), Phase::droplets(10)}) {
+    const Atmosphere air = uniform_fog(0.1, phase);
+    const ScatteringSource source = scattering_source(lamp.light, air, make_thin_beams(air, make_scattering_table(air)));
+    for (const double range : {0.5, 10.0, 80.0}) {
+      const dvec3 away = glm::normalize(dvec3(2, -1, 0.5));
+      const DiffuseLight light = scattered_light(lamp, source, air, lamp.position + range * away);
+      EXPECT_NEAR(glm::dot(light.flow, away) * 1e8 * range * range / -std::expm1(-0.1 * range), 1, 1e-5) << range;
+      EXPECT_NEAR(glm::length(light.flow - glm::dot(light.flow, away) * away), 0, 1e-5 * light.all) << range;
+      const dvec3 across = glm::normalize(glm::cross(away, dvec3(1, 0, 0)));
+      double sum = 0;
+      for (int i = 0; i < 1000; ++i) {
+        const double cosine = (i + 0.5) / 500 - 1;
+        const dvec3 normal = cosine * away + std::sqrt(1 - cosine * cosine) * across;
+        const double received = irradiance(light, normal);
+        EXPECT_NEAR(received - irradiance(light, -normal), -glm::dot(light.flow, normal), 1e-9 * light.all) << cosine;
+        sum += received / 1000;
+      }
+      EXPECT_NEAR(sum / light.all, 0.25, 1e-5) << range;
+    }
+  }
+}
+
 TEST(ScatteringTable, AtmosphereWithoutOneIsNamed) {
   const auto refused = [](const Atmosphere& air) {
     EXPECT_TRUE(find_scattering_error(air));
