@@ -48,7 +48,8 @@ struct Trials {
   }
 };
 
-/// An error must become this much smaller for a change to be worth a sentence, or a second light, which is drawn.
+/// An error must become this much smaller for a change to be worth a sentence, the second for a light that costs drawing
+/// time.
 constexpr double kWorthwhile = 0.95;
 constexpr double kWorthASecondLight = 0.7;
 

@@ -115,8 +115,11 @@ std::vector<Cell> row_of(const Outcome& outcome) {
     row.insert(row.end(), {compute_extent(fit.light.attenuation, fit.light.threshold), number_or_none(light.peak),
                            number_or_none(data.peak), number_or_none(light.flux), number_or_none(data.flux),
                            angle(light.beam_angle), angle(light.field_angle)});
-    row.push_back(percent_or_none(fit.cone ? std::optional(fit.cone->best().rms) : std::nullopt));
-    row.push_back(percent_or_none(fit.cone ? fit.cone->best().flux_error : std::nullopt));
+    const bool is_one = fit.cone && !outcome.two;
+    row.push_back(percent_or_none(is_one ? std::optional(fit.cone->best().rms) : std::nullopt));
+    row.push_back(percent_or_none(outcome.two ? std::optional(outcome.two->flux_error)
+                                  : is_one    ? fit.cone->best().flux_error
+                                              : std::nullopt));
     row.push_back(fit.beam() ? Cell(fit.target.asymmetry) : Cell(std::monostate()));
     const bool has_samples = fit.range && !fit.target.range->samples.empty();
     row.push_back(has_samples ? Cell(100 * fit.range->largest_error) : Cell(std::monostate()));

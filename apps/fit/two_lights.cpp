@@ -51,7 +51,7 @@ Split split_at(const ConeTarget& whole, double level) {
   return split;
 }
 
-/// The level is searched twice: from octave to octave, then in steps of a tenth of one.
+/// The level is searched twice: in steps of half an octave, then of a sixteenth.
 Split best_split(const ConeTarget& whole) {
   const double peak = peak_of(whole.samples);
   constexpr double kLargest = 0.6;

@@ -104,8 +104,9 @@ double largest_density(const DensityProfile& profile, double lowest = -std::nume
 double smallest_density(const DensityProfile& profile, double lowest = -std::numeric_limits<double>::infinity(),
                         double highest = std::numeric_limits<double>::infinity());
 
-/// Least mean density between a height and any of those from lowest to highest, which may be infinite. For bounds: a
-/// straight line between two such points has at least this many optical depths a metre. (density_profile_test.cpp)
+/// Least mean density, 1/m, between a height and any of those from lowest to highest, lowest <= highest, which may be
+/// infinite. For bounds: a straight line between two such points has at least this many optical depths a metre, but for
+/// 1e-14 of itself. (density_profile_test.cpp)
 ///
 /// height  metres, finite
 double least_mean_density(const DensityProfile& profile, double height, double lowest, double highest);

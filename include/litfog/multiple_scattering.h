@@ -63,8 +63,8 @@ struct ScatteringSource {
   ScatteredBeam beam = {};  ///< of its shape
 };
 
-/// Effective intensity of a light in its fog, m^2; 0 in clear air, in total fog and in exp2 fog. Of lights that a
-/// FogUpdater holds it has them in a table.
+/// Effective intensity of a light in its fog, m^2; 0 in clear air, in total fog and in exp2 fog.
+/// FogUpdater::effective_intensities() has those of the lights that it holds.
 ///
 /// light   its class sees the fog at its density scale
 /// throws  std::invalid_argument naming field, value and rule
@@ -163,8 +163,9 @@ inline constexpr double kSummedIrradianceMaxError = 0.25;
 /// What a surface receives of diffuse light. At the distance of one visibility from a lamp its scattered light is
 /// several times the lamp's own.
 ///
-/// normal     unit vector
+/// normal     its length is 1 within kDirectionTolerance
 /// max error  as above                                                                  (multiple_scattering_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
 double irradiance(const DiffuseLight& light, const glm::dvec3& normal);
 
 }  // namespace litfog

@@ -67,7 +67,7 @@ inline constexpr double kDefaultReachStep = kDefaultSkipBudget255 / 255;
 /// - An instance is touched only where its light is added, changed, switched, removed or flashes. It keeps its index
 ///   among the instances until it is removed, whatever its kind; then the index goes to the next light added. Instances
 ///   and kinds that are not used are all zero; such an instance is a black light.
-/// - Kinds that are not carried have no intensity (see pack_fog_light_kind) and are never solved.
+/// - Kinds that are not carried have no intensity (see pack_fog_light_kind); it is never solved.
 /// - A kind is not solved, and stores intensity 0, where IntensityBound times the largest colour component among its
 ///   lights that are on, in the brightest of their flashes, is below the budget: a pixel loses less than the budget for
 ///   each such light.
@@ -127,7 +127,7 @@ class FogUpdater {
   /// (litfog/multiple_scattering.h): carried or not, whatever the budget. Allocates nothing.
   void solve_effective_intensities();
 
-  /// The source_intensity() of each kind's lights, rounded, at most the largest float; 0 of kinds of which no light is
+  /// The source_intensity() of each kind's lights, m^2, rounded, at most the largest float; 0 of kinds of which no light is
   /// on. Empty unless they are solved.
   std::span<const float> effective_intensities() const;
 

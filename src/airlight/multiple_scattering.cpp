@@ -158,7 +158,7 @@ struct IntensityRule {
 };
 
 IntensityRule make_intensity_rule() {
-  constexpr double kFirst = -7.1, kStep = 0.3;  // y from 4e-9 to 22, beyond which lies less than 1e-8 of the whole
+  constexpr double kFirst = -7.1, kStep = 0.3;  // y from 5e-9 to 22
   constexpr double kBend = 0.35;
   IntensityRule rule;
   for (std::size_t i = 0; i < kNodes; ++i) {
@@ -311,7 +311,7 @@ double multiple_scattering(const PlacedLight& light, const ScatteringSource& sou
 }
 
 std::optional<ValueError> find_error(const DiffuseLight& light) {
-  constexpr double kMost = 1e100;  // the square has a double
+  constexpr double kMost = 1e100;  // its square is a finite double
   if (!(light.all >= 0 && light.all <= kMost)) return ValueError{"all", light.all, "must be in [0, 1e100]"};
   for (int i = 0; i < 3; ++i) {
     constexpr const char* kFields[] = {"flow.x", "flow.y", "flow.z"};
@@ -351,6 +351,8 @@ void scattered_light(const PlacedLight& light, const ScatteringSource& source, c
 }
 
 double irradiance(const DiffuseLight& light, const glm::dvec3& normal) {
+  require(find_error(light));
+  require(find_direction_error(normal, "normal"));
   return ScatteringText::litfog_diffuse_irradiance(light.all, glm::length(light.flow), -glm::dot(light.flow, normal));
 }
 

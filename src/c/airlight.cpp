@@ -122,10 +122,7 @@ litfog_status litfog_scattered_light(const litfog_placed_light* light, const lit
 
 litfog_status litfog_irradiance(const litfog_diffuse_light* light, const double* normal, double* irradiance) {
   return c::call([&] {
-    const DiffuseLight from = c::to_cpp(c::at(light, "light"));
-    const glm::dvec3 facing = c::vector(normal, "normal");
-    require(find_error(from));
-    require(find_direction_error(facing, "normal"));
-    c::at(irradiance, "irradiance") = litfog::irradiance(from, facing);
+    c::at(irradiance, "irradiance") =
+        litfog::irradiance(c::to_cpp(c::at(light, "light")), c::vector(normal, "normal"));
   });
 }

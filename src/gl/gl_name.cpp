@@ -6,8 +6,8 @@
 namespace litfog::gl {
 namespace {
 
-/// Deletes nothing meanwhile: libepoxy loads functions when they are first called, and ends a process whose context has
-/// gone by then.
+/// Also calls the function that deletes, with nothing to delete, because libepoxy loads functions when they are first
+/// called, and ends a process whose context has gone by then.
 template <typename Generate, typename Delete>
 GLuint generated(Generate generate, Delete remove) {
   GLuint id = 0;

@@ -449,11 +449,7 @@ py::array_t<double> scattered_lights_of(PlacedLight light, ScatteringSource sour
 
 py::object irradiances_of(const py::object& light, const py::object& normal) {
   const auto call = [](double all, double x, double y, double z, double normal_x, double normal_y, double normal_z) {
-    const DiffuseLight diffuse{all, {x, y, z}};
-    const glm::dvec3 facing{normal_x, normal_y, normal_z};
-    require(find_error(diffuse));
-    require(find_direction_error(facing, "normal"));
-    return irradiance(diffuse, facing);
+    return irradiance({all, {x, y, z}}, {normal_x, normal_y, normal_z});
   };
   const py::array lights = take_vectors(light, "light", 4), normals = take_vectors(normal, "normal", 3);
   const auto part = [](const py::array& of, int i) {

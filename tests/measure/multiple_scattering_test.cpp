@@ -108,6 +108,29 @@ TEST(MultipleScattering, PointLampIsThatOfTheRandomWalk) {
   }
 }
 
+// Why layers scatter once: light leaves a layer of three optical depths above a dark ground, so that neither endless fog
+// of the same optical depth on the way nor single scattering stands for it.
+TEST(MultipleScattering, EndlessFogIsTooBrightForALayerAndOneScatteringTooDark) {
+  const Atmosphere endless{.fog = {FogMode::exp, 1}};
+  Atmosphere layer;
+  layer.profile = make_density_profile(std::array<DensityKnot, 2>{{{2.4, 1}, {3.6, 0}}});
+  const ScatteringTable table = make_scattering_table(endless);
+  PlacedLight lamp = lamp_ahead(3);
+  EyeRay ray = ray_beside(pi / 12);
+  lamp.position.y = ray.origin.y = 0.3;
+  measure::ScatteringWalk walk;
+  walk.paths = 4096;
+  walk.ground = measure::Ground{};
+  const auto chance = measure::walk_scattering(lamp, layer, ray, walk);
+  const double truth = chance.first.value + chance.higher.value;
+  const double by_endless = (chance.first.value + multiple_scattering(lamp, endless, table, ray)) / truth;
+  std::printf("layer: %.3f of the truth by endless fog, %.3f by single scattering, standard error %.3f\n", by_endless,
+              chance.first.value / truth, chance.higher.error / truth);
+  EXPECT_GT(by_endless, 2);
+  EXPECT_LT(chance.first.value / truth, 0.3);
+  EXPECT_LT(chance.higher.error / truth, 0.1);
+}
+
 // The truth is the radiance of all directions before the surface, summed.
 TEST(ScatteredIrradiance, OfAPointLampIsTheSumOfItsGlow) {
   const measure::RadialScattering nodes(0.6);

@@ -90,6 +90,15 @@ TEST(LightFinder, LightThatCanReachIsFoundAmongMany) {
   EXPECT_GT(expect_those_that_can_reach(lamps, extents, boxes), 100u);
 }
 
+TEST(LightFinder, BoxWhoseMiddleLiesBehindALampOnItsAxisIsLitAroundTheLamp) {
+  std::vector<PlacedLight> lamps(1);
+  lamps[0].direction = glm::normalize(glm::dvec3(1, -1, 1));
+  lamps[0].light.cone = Cone::cosine(std::numbers::pi / 4, 1);
+  const std::vector<double> extents{10};
+  const Bounds box{glm::vec3(-2.5, -0.5, -2.5), glm::vec3(0.5, 2.5, 0.5)};
+  EXPECT_EQ(expect_those_that_can_reach(lamps, extents, {box}), 1u);
+}
+
 TEST(LightFinder, AnyConeRangeAndBoxAreDecidedAsByCanReach) {
   constexpr double kHuge = std::numeric_limits<double>::infinity();
   Random random(8);

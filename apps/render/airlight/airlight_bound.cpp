@@ -75,6 +75,7 @@ AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmo
     bands_[band_count_++] = {density_of({mode_, density}), leg(eye.y), leg(light.position.y)};
   };
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  static_assert(kMaxBands == kMaxDensityKnots * (1 + kRampParts.size()) + 2 * kBandEnds.size() + 1);
   std::array<double, kMaxBands + 1> ends{-kInfinity, kInfinity};
   std::size_t end_count = 2;
   const std::span<const DensityKnot> knots = atmosphere.profile.used();
@@ -89,8 +90,11 @@ AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmo
       ends[end_count++] = light.position.y + apart;
     }
   }
-  std::sort(ends.begin(), ends.begin() + std::ptrdiff_t(end_count));
-  for (std::size_t i = 0; i + 1 < end_count; ++i) add_band(ends[i], ends[i + 1]);
+  const auto used = std::span(ends).first(end_count);
+  std::ranges::sort(used);
+  for (std::size_t i = 0; i + 1 < used.size(); ++i) {
+    if (used[i] < used[i + 1]) add_band(used[i], used[i + 1]);
+  }
 }
 
 double AirlightBound::angle_at(double distance) const {
@@ -133,7 +137,7 @@ double AirlightBound::end(double budget) const {
   const auto end_where_phase_is = [&](double phase) {
     const double most = phase * brightness_ * integral;
     const auto is_beyond = [&](double distance) {
-      return most * largest_weight(distance, std::max(distance - eye_range_, 0.0)) <= budget;
+      return !(most * largest_weight(distance, std::max(distance - eye_range_, 0.0)) > budget);
     };
     if (is_beyond(0)) return 0.0;
     double low = 0, high = kSkyDistance;
@@ -192,7 +196,7 @@ double AirlightBound::beyond_extent(double distance) const {
   const double range = std::max(extent_, distance - eye_range_);
   double through = 0;
   for (const Band& band : bands()) through += left(band, distance, range);
-  return brightness_ * std::min(attenuation_at(attenuation_, range) * through,
+  return brightness_ * std::min(attenuation_at(attenuation_, range) * std::min(through, 1.0),
                                 largest_weight(distance, range) * std::numbers::pi / (attenuation_.quadratic * range));
 }
 

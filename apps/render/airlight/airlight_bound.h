@@ -48,7 +48,7 @@ class AirlightBound {
 
   /// The way from the eye or from the light to fog of a band of height.
   struct Leg {
-    double density;  ///< at least that of the fog on it, 1/m
+    double density;  ///< at most the mean density of the fog on it, 1/m
     double nearest;  ///< metres
   };
   struct Band {
@@ -73,7 +73,8 @@ class AirlightBound {
   double reach(double budget) const;
 
   /// Distance R from the eye beyond which the rest of no ray has more than a budget of airlight from within the extent
-  /// or of far_peak_reach(). Metres, 0 where no ray has more, infinity where some always do.
+  /// or of far_peak_reach(). Metres, 0 where no ray has more, infinity where some have
+  /// more beyond kSkyDistance.
   ///
   /// Proof. At s >= R, r is at least R - L. By these the weight is bounded.
   double end(double budget) const;
@@ -81,9 +82,9 @@ class AirlightBound {
   /// What the light adds beyond its extent to a ray from a distance S from the eye on, in isotropic fog.
   ///
   /// Proof. With R the larger of the extent and S - L, r >= R. The weights -f'(s) of the eye's leg in a band sum to at
-  /// most f(S), so that the light adds at most the sum over the bands of a(R) f(R) f(S). Where -f'(s) f(r) is at most w, it also adds at most w pi / (Q R):
-  /// a(r) <= 1 / (Q r^2), and the integral of 1 / r^2 over what is outside the ball of radius R is largest on the line
-  /// that touches it.
+  /// most f(S), so that the light adds at most the sum over the bands of a(R) f(R) f(S). Where -f'(s) f(r) is at most w,
+  /// it also adds at most w pi / (Q R): a(r) <= 1 / (Q r^2), and the integral of 1 / r^2 over what is outside the ball
+  /// of radius R is largest on the line that touches it.
   double beyond_extent(double distance) const;
 
   /// Range from the light beyond which rays pass it with at most a budget of what the peak of the phase function adds

@@ -39,12 +39,13 @@ double display_slope(double value, double gain) {
   return gain * std::min(12.92, 0.4396 * std::pow(gain * value, 1 / 2.4 - 1));
 }
 
-/// Range from a light where grids of every `step` metres may miss kMaxError of its airlight, about k / h at a distance h.
+/// Range from a light where grids of every `step` metres may miss kMaxError of its airlight, about k / h at a distance
+/// h.
 ///
 /// What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight_light.glsl), or (1 + d
 /// range)^4 times that where fog of density d makes it fall off faster. Of that by the fourth power of the texels'
-/// distance, a cubic through four misses 3/128, and the polynomial through six (airlight_fill.frag) half as much. Fog of
-/// a band that lies farther from the light bends less.
+/// distance, a cubic through four misses 3/128, and the polynomial through six (airlight_fill.frag) half as much. The
+/// airlight of a band of fog farther from the light than that does not bend so sharply at all.
 ///
 /// gain  of the exposure
 /// most  the largest range that is asked for
@@ -98,6 +99,7 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
     // Across its apex, a beam's airlight jumps, unless it is seen along its axis. Up to a range a thin one is thinner
     // than a few texels of a grid, too. Grids keep next to nothing of it there.
     const bool is_beam = beam.angle < 0.5 * std::numbers::pi;
+    static_assert(kCoarsestGrid == 8);
     const auto bend_range_of = [&](int grid) {
       const double scale = std::pow(grid, 0.8);  // of the bend of k / h
       const double range =

@@ -24,8 +24,8 @@ struct AirlightEntry {
   float reach;
   float width;  ///< metres from the light, within which its airlight is flat; 0 for a beam not seen along its axis
   float unused = 0;
-  /// Metres from the light, within which its airlight, about k / h at a distance h, bends so sharply that a grid of every
-  /// second, fourth or eighth pixel may miss an eighth of a step of the display.
+  /// Metres from the light, within which its airlight, about k / h at a distance h, bends so sharply that a grid of
+  /// every second, fourth or eighth pixel may miss an eighth of a step of the display.
   std::array<float, 3> bend_ranges;
   float also_unused = 0;  // an entry is two texels of four
 };

@@ -26,20 +26,23 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
     bool is_single;  // beyond its extent it adds airlight
     int profile;
     int sections;  // in which it matters
-    AirlightBound bound;
+    const AirlightBound* bound;
     double most;  // that it adds from somewhere on
   };
   const auto most_from = [&](const Candidate& each, double depth) {
-    return (each.is_single ? phase * each.bound.beyond_extent(depth) : 0) + each.bound.higher_orders(depth);
+    return (each.is_single ? phase * each.bound->beyond_extent(depth) : 0) + each.bound->higher_orders(depth);
   };
+  std::vector<AirlightBound> bounds;
+  bounds.reserve(lights.size());  // candidates point at them
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const double extent = lights.extents()[i];
     const bool is_single = std::isfinite(extent) && (casters.empty() || casters[i] < 0);
     if (!is_single && !higher_orders.table) continue;
-    const AirlightBound bound(lights.lights()[i], extent, atmosphere, scattering, eye, higher_orders.of(i));
+    const AirlightBound& bound =
+        bounds.emplace_back(lights.lights()[i], extent, atmosphere, scattering, eye, higher_orders.of(i));
     Candidate& each = candidates.emplace_back(Candidate{
-        std::int32_t(i), is_single, int(lights.instances()[i].axis_profile.w), FarAirlightList::kSections, bound, 0});
+        std::int32_t(i), is_single, int(lights.instances()[i].axis_profile.w), FarAirlightList::kSections, &bound, 0});
     each.most = most_from(each, 0);
   }
   std::ranges::sort(candidates, {}, &Candidate::most);

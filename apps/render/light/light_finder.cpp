@@ -45,14 +45,14 @@ bool LightFinder::reaches(std::size_t light, const scene::Bounds& box, const glm
   const double margin = kMargin * (farthest.x + farthest.y + farthest.z);
   const double along = glm::dot(offset, sector.axis);
   const glm::dvec3 across = offset - along * sector.axis;
-  const double width = glm::length(across);
+  const double width = glm::length(across);  // below the margin a rounding, which has no direction
   const double outside = width * sector.cos_half_angle - along * sector.sin_half_angle;  // metres from the cone's side
   const auto is_within = [](const glm::dvec3& vector, double range) {
     return range > 0 && glm::dot(vector, vector) < range * range;
   };
   if (outside < -margin && is_within(offset, sector.range - margin)) return true;
   if (!is_within(glm::max(glm::abs(offset) - half, 0.0), sector.range + margin)) return false;
-  if (outside > margin && width > 0 && sector.cos_half_angle >= 0) {
+  if (outside > margin && width > margin && sector.cos_half_angle >= 0) {
     const glm::dvec3 normal = across * (sector.cos_half_angle / width) - sector.axis * sector.sin_half_angle;
     if (outside - glm::dot(glm::abs(normal), half) > margin) return false;
   }

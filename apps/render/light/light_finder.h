@@ -44,7 +44,7 @@ class LightFinder {
     double sin_half_angle;
   };
 
-  /// can_reach() of a light and a box of a centre and half a size.
+  /// can_reach(), for a box whose centre and half size are given.
   bool reaches(std::size_t light, const scene::Bounds& box, const glm::dvec3& centre, const glm::dvec3& half) const;
 
   std::span<const PlacedLight> lights_;

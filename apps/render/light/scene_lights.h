@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cassert>
 #include <glm/glm.hpp>
 #include <span>
 #include <vector>
@@ -79,8 +80,9 @@ class SceneLights {
   /// The tables that shaders read: instance i is light i.
   std::span<const FogLightKind> kinds() const { return updater_.kinds(); }
   std::span<const FogLightInstance> instances() const { return instances_; }
-  /// Of a light in the fog, m^2, where all orders of scattering are drawn.
+  /// Effective intensity of a light in the fog, m^2. Only where all orders of scattering are drawn.
   float effective_intensity(std::size_t light) const {
+    assert(!updater_.effective_intensities().empty());
     return updater_.effective_intensities()[std::size_t(instances_[light].position_kind.w)];
   }
   /// The light of an instance.

@@ -129,7 +129,7 @@ class FramePlanner {
   std::vector<SurfaceInView> find_surfaces_in_view(const glm::dvec3& eye, const Frustum& frustum);
   /// The range from which on fog hides a surface. Also updates the surface's strengths_.
   double hidden_range_of(std::size_t surface);
-  /// Fog no thinner than that between a height and a box.
+  /// Uniform fog that hides no more than the air between a height and a box does.
   Fog fog_before(double height, const scene::Bounds& box) const;
   /// Whether carried lights can light the fog by their intensity on a ray through the surface, from a range on.
   bool can_be_lit_from(const glm::dvec3& eye, const Surface& surface, double range) const;

@@ -457,18 +457,22 @@ typedef struct litfog_diffuse_light {
   double flow[3];  ///< that of the radiance times the direction of its travel, each at most 1e100 in magnitude
 } litfog_diffuse_light;
 
+/// How the fog scatters a thin beam, for litfog_make_scattering_source: exp fog without layers, of albedo 1.
+///
 /// table  that of the atmosphere
 LITFOG_API litfog_status litfog_make_thin_beams(const litfog_atmosphere* atmosphere,
                                                 const litfog_scattering_table* table, litfog_thin_beams* beams);
 
-/// beams  of the atmosphere
+/// How the fog of an atmosphere scatters a light, whatever its place.
+///
+/// beams  those of litfog_make_thin_beams for the atmosphere; they are not checked
 LITFOG_API litfog_status litfog_make_scattering_source(const litfog_light* light, const litfog_atmosphere* atmosphere,
                                                        const litfog_thin_beams* beams,
                                                        litfog_scattering_source* source);
 
 /// Light of a lamp that the fog around positions has scattered, a factor of the light's colour.
 ///
-/// source     the light's
+/// source     that of litfog_make_scattering_source for the light and the atmosphere; it is not checked
 /// positions  three coordinates each, metres, at most LITFOG_MAX_POSITION in magnitude
 /// scattered  one a position; refused where they overlap the positions
 LITFOG_API litfog_status litfog_scattered_light(const litfog_placed_light* light,
