@@ -189,7 +189,7 @@ TEST(Tm33, BadFileIsAnErrorAtItsLocation) {
   EXPECT_EQ(error_of(&Tm33Text::data, "<PhotometryType>D</PhotometryType>"),
             "7:17: PhotometryType = D: must be type A, B or C");
   EXPECT_EQ(error_of(&Tm33Text::intensities, ""), "6:15: element = LuminousIntensity: must have IntData");
-  EXPECT_EQ(error_of(Tm33Text().str() + std::string(16'777'216, ' ')), "XML: must not be larger than 16777216 bytes");
+  EXPECT_EQ(error_of(Tm33Text().str() + std::string(16'777'216, ' ')), " XML: must not be larger than 16777216 bytes");
 }
 
 TEST(Tm33, LocationOfTextThatEndsWithinACharacterIsThatCharacters) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/airlight/airlight_lights.h"
 
+#include <algorithm>
+
 namespace litfog::render {
 
 void AirlightLights::set(const AirlightList& list, const AirlightTiles& tiles) {
@@ -10,6 +12,11 @@ void AirlightLights::set(const AirlightList& list, const AirlightTiles& tiles) {
   entries_.emplace(list.entries.data(), std::span(list.entries).size_bytes(), BufferTexture::Texel::float4);
   tile_lists_.emplace(tiles.lists.data(), std::span(tiles.lists).size_bytes(), BufferTexture::Texel::int1);
   tile_count_ = tiles.count;
+  longest_lists_.assign(ranges_.size(), 0);
+  const std::size_t count = std::size_t(tiles.count.x) * std::size_t(tiles.count.y);
+  for (std::size_t i = 0; i < ranges_.size() * count; ++i) {
+    longest_lists_[i / count] = std::max(longest_lists_[i / count], tiles.lists[2 * i + 1] - tiles.lists[2 * i]);
+  }
   tile_size_ = glm::vec2(tiles.size) / glm::vec2(tiles.count);
 }
 

@@ -24,6 +24,8 @@ class AirlightLights {
   /// The entries of each kind.
   std::span<const AirlightList::Range> ranges() const { return ranges_; }
   int size() const { return size_; }
+  /// Entries of a range that a tile has at most.
+  int longest_list(std::size_t range) const { return longest_lists_[range]; }
   /// Lets a pass read the entries (shaders/airlight/airlight_entry.glsl).
   void bind_entries(PassTextures& textures) const;
   /// Also lets a pass read the tiles of a range (shaders/airlight/airlight_tiles.frag).
@@ -31,6 +33,7 @@ class AirlightLights {
 
  private:
   std::vector<AirlightList::Range> ranges_;
+  std::vector<int> longest_lists_;  // one a range
   int size_ = 0;
   std::optional<BufferTexture> entries_;
   std::optional<BufferTexture> tile_lists_;  // AirlightTiles::lists

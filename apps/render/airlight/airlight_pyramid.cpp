@@ -14,6 +14,11 @@ namespace litfog::render {
 namespace {
 
 constexpr int kStripes = 16;                            // per target; interruptions are polled between them
+/// Lights that a fragment adds up in one draw. Mesa's llvmpipe ends a fragment's loops, without a word, after 65535
+/// turns of all together (LP_MAX_TGSI_LOOP_ITERATIONS), and a light may take 120 nodes, a cookie 512, for each of four
+/// depths.
+constexpr int kLightsAtOnce = 96;
+constexpr int kCookiesAtOnce = 20;
 constexpr int kGridSteps[] = {kCoarsestGrid, 4, 2, 1};  // pixels
 constexpr double kMaxSpacing = 0.06;  // radians between a grid's texels, up to which airlight is known to be smooth
 constexpr GLint kMarked = AirlightTarget::kMarked;
@@ -146,10 +151,16 @@ void AirlightPyramid::draw_lights(const Frame& frame, const Grid& grid, std::siz
   if (adds) glEnable(GL_BLEND);
   glBlendFunc(GL_ONE, GL_ONE);
   const int rows = frame.interruption.can_come() ? (blocks.target.y + kStripes - 1) / kStripes : blocks.target.y;
+  const int at_once = lights.ranges()[range].kind.profile == kCookieProfile ? kCookiesAtOnce : kLightsAtOnce;
+  set_uniform(program, "entry_count", at_once);
   glEnable(GL_SCISSOR_TEST);
-  for (int row = 0; row < blocks.target.y && !frame.interruption.has_come(); row += rows) {
-    glScissor(0, row, blocks.target.x, rows);
-    glDrawArrays(GL_POINTS, 0, blocks.count.x * blocks.count.y);
+  for (int entry = 0; entry < std::max(lights.longest_list(range), 1); entry += at_once) {
+    set_uniform(program, "first_entry", entry);
+    for (int row = 0; row < blocks.target.y && !frame.interruption.has_come(); row += rows) {
+      glScissor(0, row, blocks.target.x, rows);
+      glDrawArrays(GL_POINTS, 0, blocks.count.x * blocks.count.y);
+    }
+    glEnable(GL_BLEND);  // the next ones are added
   }
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_BLEND);

@@ -17,6 +17,7 @@ namespace {
 constexpr double kApart = 0.03;  // radians between texels
 constexpr int kMaxRows = 120;    // and one more row, so that kSlabs + 1 pictures fit into 4096
 constexpr int kSlabs = 32;       // far_slabs and, below, slabs_at_once of far_airlight.glsl
+constexpr int kFarLightsAtOnce = 1024;  // 33 turns of loops each, of llvmpipe's 65535 (airlight_pyramid.cpp)
 constexpr int kSlabsAtOnce = kSlabs / FarAirlightList::kSections;
 
 }  // namespace
@@ -88,14 +89,15 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphe
     set_uniform(program, "far_depth", float(depth_));
     set_uniform(program, "far_step", step_);
     set_uniform(program, "row_count", size_.y);
-    set_uniform(program, "first_light", range.first);
     glEnable(GL_SCISSOR_TEST);
     for (int section = 0; section < FarAirlightList::kSections; ++section) {
       const int count = range.counts[std::size_t(section)];
-      if (count == 0) continue;
       glScissor(0, section * size_.y, size_.x, size_.y);
-      set_uniform(program, "light_count", count);
-      glDrawArrays(GL_TRIANGLES, 0, 3);
+      for (int first = 0; first < count; first += kFarLightsAtOnce) {
+        set_uniform(program, "first_light", range.first + first);
+        set_uniform(program, "light_count", std::min(count - first, kFarLightsAtOnce));
+        glDrawArrays(GL_TRIANGLES, 0, 3);
+      }
     }
     glDisable(GL_SCISSOR_TEST);
   }

@@ -62,9 +62,7 @@ const FramePlan& FramePlanner::plan(const FrameView& view) {
   has_changed_ = view_ != view || is_new_environment;
   if (!has_changed_) return plan_;
   // Without a view, the atmosphere is another.
-  const bool is_at_another_height =
-      view_ && atmosphere_.profile.count > 0 && view_->camera.position.y != view.camera.position.y;
-  if (!view_ || view_->exposures.surfaces != view.exposures.surfaces || is_new_environment || is_at_another_height) {
+  if (!view_ || view_->exposures.surfaces != view.exposures.surfaces || is_new_environment) {
     step_ = visible_step(view.exposures.surfaces);
     ++fog_number_;
   }
@@ -115,9 +113,9 @@ double FramePlanner::airlight_end_from(const glm::dvec3& eye, double budget) con
   return std::max(end, plan_.far_airlights.depth);
 }
 
-double FramePlanner::hidden_range_of(std::size_t index) {
+double FramePlanner::brightness_of(std::size_t index) {
   SurfaceFogState& state = fog_states_[index];
-  if (state.fog_number == fog_number_) return double(state.hidden_range);
+  if (state.fog_number == fog_number_) return double(state.brightness);
   const Surface& surface = surfaces_.surfaces()[index];
   double brightness = surface.material->own_light(scene_.environment) +
                       surface.material->reflectance * scattered_bound_.largest_irradiance(surface.bounds);
@@ -133,10 +131,8 @@ double FramePlanner::hidden_range_of(std::size_t index) {
     strengths_[std::size_t(surface.list_first) + i] = float(strength);
     brightness += strength;
   }
-  const double fog = largest_component(atmosphere_.ambient_fog_color);
-  const Fog before = fog_before(view_->camera.position.y, surface.bounds);
-  state = {fog_number_, float(hidden_range(before, brightness + fog, kHiddenShare * step_))};
-  return double(state.hidden_range);
+  state = {fog_number_, float(brightness)};
+  return double(state.brightness);
 }
 
 Fog FramePlanner::fog_before(double height, const scene::Bounds& box) const {
@@ -280,11 +276,12 @@ void FramePlanner::add_points(const PointList& points) {
 std::vector<FramePlanner::SurfaceInView> FramePlanner::find_surfaces_in_view(const glm::dvec3& eye,
                                                                              const Frustum& frustum) {
   std::vector<SurfaceInView> found;
+  const double fog = largest_component(atmosphere_.ambient_fog_color);
   for (std::size_t i = 0; i < surfaces_.surfaces().size(); ++i) {
     const scene::Bounds& box = surfaces_.surfaces()[i].bounds;
-    if (can_see(frustum, box)) {
-      found.push_back({i, nearest_distance(eye, box), farthest_distance(eye, box), hidden_range_of(i)});
-    }
+    if (!can_see(frustum, box)) continue;
+    const double hidden = hidden_range(fog_before(eye.y, box), brightness_of(i) + fog, kHiddenShare * step_);
+    found.push_back({i, nearest_distance(eye, box), farthest_distance(eye, box), hidden});
   }
   plan_.counts.chunks_outside_view = surfaces_.surfaces().size() - found.size();
   return found;

@@ -110,10 +110,10 @@ class FramePlanner {
   FramePlan plan_geometry(const glm::mat4& clip_from_world) const;
 
  private:
-  /// Cached per surface: the range at which fog hides it from the eye's height.
+  /// Cached per surface: what it sends to the eye at most, without the fog before it.
   struct SurfaceFogState {
     unsigned fog_number = 0;  // fog_number_ for which the state holds
-    float hidden_range = 0;
+    float brightness = 0;
   };
 
   struct SurfaceInView {
@@ -127,8 +127,8 @@ class FramePlanner {
   void plan_visible(const FrameView& view);
   void add_points(const PointList& points);
   std::vector<SurfaceInView> find_surfaces_in_view(const glm::dvec3& eye, const Frustum& frustum);
-  /// The range from which on fog hides a surface. Also updates the surface's strengths_.
-  double hidden_range_of(std::size_t surface);
+  /// Also updates the surface's strengths_.
+  double brightness_of(std::size_t surface);
   /// Uniform fog that hides no more than the air between a height and a box does.
   Fog fog_before(double height, const scene::Bounds& box) const;
   /// Whether carried lights can light the fog by their intensity on a ray through the surface, from a range on.

@@ -16,6 +16,7 @@ namespace litfog::gl {
 /// threads  like GlName
 class FogLightTables {
  public:
+  /// throws  Unsupported in a context of OpenGL ES, which has no buffer textures
   FogLightTables();
 
   /// Uploads the changed ranges, or the whole table the first time and when it outgrows its buffer. That replaces the

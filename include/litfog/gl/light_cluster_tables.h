@@ -11,6 +11,7 @@ namespace litfog::gl {
 /// threads  like GlName
 class LightClusterTables {
  public:
+  /// throws  Unsupported in a context of OpenGL ES, which has no buffer textures
   LightClusterTables();
 
   /// Uploads the table. Needed where LightClusters::update() says that it has changed. Bind the texture afterwards.

@@ -11,6 +11,8 @@ uniform isamplerBuffer tile_lists;  // render::AirlightTiles
 uniform ivec2 tile_count;
 uniform vec2 tile_size;  // pixels
 uniform int first_tile;  // index in tile_lists of the kind's first tile
+uniform int first_entry;  // of each tile's list that is drawn, and how many there are from it on
+uniform int entry_count;
 
 // Where a tile's entries begin and end in tile_lists.
 ivec2 tile_list(ivec2 pixel) {
@@ -27,6 +29,8 @@ void main() {
   vec4 seen = seen_at(pixel);
   float shown_exposure = shown_exposure_at(direction, seen);
   ivec2 list = tile_list(pixel);
+  list.x += first_entry;
+  list.y = min(list.y, list.x + entry_count);
   airlight = vec4(0.0);
   gain = vec4(0.0);
   int i = list.x;
