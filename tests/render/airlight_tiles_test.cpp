@@ -25,7 +25,7 @@ AirlightList draw_airlights(Random& random, const scene::Camera& camera, unsigne
                        .direction = draw_direction(random),
                        .range = random.log_uniform(0.01, 300)};
     if (random.chance(0.5)) bounds.half_angle = random.uniform(0.01, std::numbers::pi);
-    list.entries.push_back({.light = float(i), .reach = float(bounds.range), .width = 0, .bend_ranges = {}});
+    list.entries.push_back({.light = float(i), .reach = float(bounds.range), .bend_range = 0, .width = 0});
     list.bounds.push_back(bounds);
   }
   for (unsigned first = 0; first < count; first += count / 4) {

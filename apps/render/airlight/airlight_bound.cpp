@@ -65,6 +65,7 @@ AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmo
     return std::min(scaled(fog, scale).density, kDensest);
   };
   largest_density_ = density_of(atmosphere.thickest_fog());
+  smallest_density_ = density_of(atmosphere.thinnest_fog());
   const auto add_band = [&](double lowest, double highest) {
     const double density = atmosphere.fog.density + litfog::largest_density(atmosphere.profile, lowest, highest);
     if (!(density > 0)) return;
@@ -194,9 +195,10 @@ double AirlightBound::higher_orders_reach(double budget) const {
 
 double AirlightBound::beyond_extent(double distance) const {
   const double range = std::max(extent_, distance - eye_range_);
-  double through = 0;
-  for (const Band& band : bands()) through += left(band, distance, range);
-  return brightness_ * std::min(attenuation_at(attenuation_, range) * std::min(through, 1.0),
+  double sum = 0;
+  for (const Band& band : bands()) sum += left(band, distance, range);
+  const double through = std::min(sum, left({0, {smallest_density_, 0}, {smallest_density_, 0}}, distance, range));
+  return brightness_ * std::min(attenuation_at(attenuation_, range) * through,
                                 largest_weight(distance, range) * std::numbers::pi / (attenuation_.quadratic * range));
 }
 
@@ -204,12 +206,12 @@ double AirlightBound::width() const { return compute_extent(attenuation_, 0.5 / 
 
 double AirlightBound::flat_range() const { return 0.5 * std::min(width(), 0.5 / largest_density_); }
 
-double AirlightBound::k(const Band& band, double distance) const {
+double AirlightBound::k(double distance) const {
   // h^-3, as the airlight of a narrow lobe falls, has 15 times the fourth derivative of h^-1.
   const double bends =
       scattering_->is_isotropic() ? 1 : 15 * scattering_->integral_from(angle_at(distance)) / std::numbers::pi;
   const double slope = std::max(attenuation_.quadratic, attenuation_.linear / std::max(width(), 1e-3));
-  const double single = bends * brightness_ * weight(band, 0, distance) * 4 / std::max(slope, 1e-30);
+  const double single = bends * brightness_ * largest_weight(0, 0) * 4 / std::max(slope, 1e-30);
   return glow_.table ? single + distance * glow_at(largest_density_ * eye_range_, angle_at(distance)) : single;
 }
 
@@ -228,14 +230,12 @@ double AirlightBound::left(const Band& band, double seen, double lit) const {
          fog_factor_at({mode_, band.lit.density}, std::max(lit, band.lit.nearest));
 }
 
-double AirlightBound::weight(const Band& band, double seen, double lit) const {
-  const auto [x, y] = optical(band, seen, lit);
-  return formulas::litfog_largest_fog_weight(double(mode_), band.density, x, y);
-}
-
 double AirlightBound::largest_weight(double seen, double lit) const {
   double largest = 0;
-  for (const Band& band : bands()) largest = std::max(largest, weight(band, seen, lit));
+  for (const Band& band : bands()) {
+    const auto [x, y] = optical(band, seen, lit);
+    largest = std::max(largest, formulas::litfog_largest_fog_weight(double(mode_), band.density, x, y));
+  }
   return largest;
 }
 

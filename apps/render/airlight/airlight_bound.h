@@ -46,16 +46,6 @@ class AirlightBound {
  public:
   static constexpr double kFarthestReach = 1e9;  ///< metres, for lights without an end: floats hold its square
 
-  /// The way from the eye or from the light to fog of a band of height.
-  struct Leg {
-    double density;  ///< at most the mean density of the fog on it, 1/m
-    double nearest;  ///< metres
-  };
-  struct Band {
-    double density;  ///< the largest of its fog
-    Leg seen, lit;
-  };
-
   /// extent  of the light, metres
   ///
   /// scattering  of the atmosphere's phase function; has to outlive this
@@ -81,10 +71,11 @@ class AirlightBound {
 
   /// What the light adds beyond its extent to a ray from a distance S from the eye on, in isotropic fog.
   ///
-  /// Proof. With R the larger of the extent and S - L, r >= R. The weights -f'(s) of the eye's leg in a band sum to at
-  /// most f(S), so that the light adds at most the sum over the bands of a(R) f(R) f(S). Where -f'(s) f(r) is at most w,
-  /// it also adds at most w pi / (Q R): a(r) <= 1 / (Q r^2), and the integral of 1 / r^2 over what is outside the ball
-  /// of radius R is largest on the line that touches it.
+  /// Proof. With R the larger of the extent and S - L, r >= R. The weights -f'(s) of the eye's leg sum to at most f(S) in
+  /// the thinnest fog, and to at most f(S) in each band, so that the light adds at most a(R) f(R) f(S) of the thinnest,
+  /// or the sum of those of the bands. Where -f'(s) f(r) is at most w, it also adds at most w pi / (Q R):
+  /// a(r) <= 1 / (Q r^2), and the integral of 1 / r^2 over what is outside the ball of radius R is largest on the line
+  /// that touches it.
   double beyond_extent(double distance) const;
 
   /// Range from the light beyond which rays pass it with at most a budget of what the peak of the phase function adds
@@ -104,12 +95,9 @@ class AirlightBound {
   /// Metres from the light within which its airlight is flat: half of the falloff's width, or less in dense fog.
   double flat_range() const;
 
-  /// All heights with fog. Without layers there is one, with no fog none.
-  std::span<const Band> bands() const { return std::span(bands_).first(band_count_); }
-
-  /// k, where the airlight of a band's fog at a distance h from the light is about k / h, near a distance; of one that
-  /// falls off by a higher power, the k of which k / h bends as much. Metres.
-  double k(const Band& band, double distance) const;
+  /// k, where the airlight at a distance h from the light is about k / h, near a distance; of one that falls off by a
+  /// higher power, the k of which k / h bends as much. Metres.
+  double k(double distance) const;
 
  private:
   double angle_at(double distance) const;  // smallest of scattering, for rays that pass the light at a distance
@@ -118,12 +106,22 @@ class AirlightBound {
   double most_at(double distance) const;  // airlight of rays that pass the light at a distance
   double reach_where_phase_is(double phase, double budget) const;
   double width() const;  // metres: the falloff's
+  // The way from the eye or from the light to fog of a band of height.
+  struct Leg {
+    double density;  // at most the mean density of the fog on it, 1/m
+    double nearest;  // metres
+  };
+  struct Band {
+    double density;  // the largest of its fog
+    Leg seen, lit;
+  };
+  /// All heights with fog: one band without layers, none without fog.
+  std::span<const Band> bands() const { return std::span(bands_).first(band_count_); }
   struct Distances {
     double seen, lit;
   };
   /// The optical distances of litfog_largest_fog_weight(), where s >= seen, r >= lit and s + r >= L.
   Distances optical(const Band& band, double seen, double lit) const;
-  double weight(const Band& band, double seen, double lit) const;
   double left(const Band& band, double seen, double lit) const;  // f(s) f(r), at most
   double largest_weight(double seen, double lit) const;
 
@@ -134,6 +132,7 @@ class AirlightBound {
   std::array<Band, kMaxBands> bands_;  // as the light's class sees them
   std::size_t band_count_ = 0;
   double largest_density_;
+  double smallest_density_;
   const ScatteringBound* scattering_;
   PointGlow glow_;
   double brightness_;  // in isotropic fog

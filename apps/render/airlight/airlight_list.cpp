@@ -39,35 +39,24 @@ double display_slope(double value, double gain) {
   return gain * std::min(12.92, 0.4396 * std::pow(gain * value, 1 / 2.4 - 1));
 }
 
-/// Range from a light where grids of every `step` metres may miss kMaxError of its airlight, about k / h at a distance
-/// h.
+/// Range from a light where grids of all pixels may miss kMaxError of its airlight, about k / h at a distance h.
 ///
 /// What a grid keeps of k / h has a fourth derivative of at most 81 k / range^5 (airlight_light.glsl), or (1 + d
 /// range)^4 times that where fog of density d makes it fall off faster. Of that by the fourth power of the texels'
-/// distance, a cubic through four misses 3/128, and the polynomial through six (airlight_fill.frag) half as much. The
-/// airlight of a band of fog farther from the light than that does not bend so sharply at all.
+/// distance, a cubic through four misses 3/128, and the polynomial through six (airlight_fill.frag) half as much.
 ///
 /// gain  of the exposure
-/// most  the largest range that is asked for
-double find_bend_range(const AirlightBound& bound, double narrowing, double step, double gain, double most) {
+double find_bend_range(const AirlightBound& bound, double narrowing, double pixel, double gain) {
   constexpr double kMissed = kSafety * 81 * 3 / 256;
-  constexpr double kRounding = 1.02;
-  double range = 0;
-  for (const AirlightBound::Band& band : bound.bands()) {
-    const auto misses = [&](double at) {
-      const double k = narrowing * bound.k(band, at);
-      const double bends = std::pow(step * (1 + bound.density() * at) / at, 4);
-      return kMissed * k * bends * display_slope(k / at, gain) > kMaxError * at;
-    };
-    double low = std::max({range, band.lit.nearest, 1e-3 * step});
-    if (!misses(low)) continue;
-    range = std::max(low, most);
-    while (range > kRounding * low) {
-      const double middle = std::sqrt(low * range);
-      (misses(middle) ? low : range) = middle;
-    }
+  const double step = kCoarsestGrid * pixel;  // where d range matters most
+  double range = step;
+  for (int i = 0; i < 16; ++i) {
+    const double k = narrowing * bound.k(range);
+    const double missed =
+        kMissed * k * std::pow(step * (1 + bound.density() * range), 4) * display_slope(k / range, gain);
+    range = std::pow(missed / kMaxError, 0.2);
   }
-  return range;
+  return range / std::pow(double(kCoarsestGrid), 0.8);
 }
 
 }  // namespace
@@ -96,27 +85,22 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
     if (!(reach > 0)) continue;
     const double pixel = eye_range / pixels_per_radian;
     const SeenBeam beam = see_beam(placed, (eye - placed.position) / eye_range);
+    const double bend_range = std::min(find_bend_range(bound, beam.narrowing, pixel, gain), reach);
+    const double most_bend_range = eye_range / 2;
     // Across its apex, a beam's airlight jumps, unless it is seen along its axis. Up to a range a thin one is thinner
     // than a few texels of a grid, too. Grids keep next to nothing of it there.
     const bool is_beam = beam.angle < 0.5 * std::numbers::pi;
-    static_assert(kCoarsestGrid == 8);
-    const auto bend_range_of = [&](int grid) {
-      const double scale = std::pow(grid, 0.8);  // of the bend of k / h
-      const double range =
-          std::min(find_bend_range(bound, beam.narrowing, grid * pixel, gain, scale * reach), scale * reach);
-      const double most = scale * eye_range / 2;
-      if (!is_beam) return float(std::min(range, most));
-      return float(std::min(std::max(scale * 4 * pixel / std::tan(beam.angle), std::min(kBeamBend * range, most)),
-                            AirlightBound::kFarthestReach));
-    };
+    const double beam_range =
+        is_beam ? std::max(4 * pixel / std::tan(beam.angle), std::min(kBeamBend * bend_range, most_bend_range)) : 0;
     found.push_back({{.profile = int(lights.instances()[i].axis_profile.w),
                       .has_shafts = has_shafts,
                       .has_knee = placed.light.attenuation.constant<1, .has_far_peak = far_peak_reach> 0,
                       .has_higher_orders = higher_orders_reach > 0},
                      {.light = float(i),
                       .reach = float(reach),
-                      .width = float(is_beam ? 0 : beam.narrowing * bound.flat_range()),
-                      .bend_ranges = {bend_range_of(2), bend_range_of(4), bend_range_of(8)}},
+                      .bend_range = float(is_beam ? std::min(beam_range, AirlightBound::kFarthestReach)
+                                                  : std::min(bend_range, most_bend_range)),
+                      .width = float(is_beam ? 0 : beam.narrowing * bound.flat_range())},
                      lights.cookie(i) || higher_orders_reach > 0
                          ? LightBounds{.position = placed.position, .range = reach}
                          : bounds_of(placed, reach)});

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <array>
 #include <compare>
 #include <cstdint>
 #include <glm/glm.hpp>
@@ -22,12 +21,11 @@ struct AirlightEntry {
   float light;  ///< index in SceneLights
   /// Metres from the light, beyond which its airlight is left out (airlight_list_test.cpp).
   float reach;
+  /// Metres from the light, within which its airlight, about k / h at a distance h, bends so sharply that a grid of all
+  /// pixels may miss an eighth of a step of the display. For a grid of every g-th pixel this range is g^(4/5) times as
+  /// large.
+  float bend_range;
   float width;  ///< metres from the light, within which its airlight is flat; 0 for a beam not seen along its axis
-  float unused = 0;
-  /// Metres from the light, within which its airlight, about k / h at a distance h, bends so sharply that a grid of
-  /// every second, fourth or eighth pixel may miss an eighth of a step of the display.
-  std::array<float, 3> bend_ranges;
-  float also_unused = 0;  // an entry is two texels of four
 };
 
 /// Lights of one kind are drawn by one program.

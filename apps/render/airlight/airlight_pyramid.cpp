@@ -15,10 +15,10 @@ namespace {
 
 constexpr int kStripes = 16;                            // per target; interruptions are polled between them
 /// Lights that a fragment adds up in one draw. Mesa's llvmpipe ends a fragment's loops, without a word, after 65535
-/// turns of all together (LP_MAX_TGSI_LOOP_ITERATIONS), and a light may take 120 nodes, a cookie 512, for each of four
-/// depths.
-constexpr int kLightsAtOnce = 96;
-constexpr int kCookiesAtOnce = 20;
+/// turns of all together (LP_MAX_TGSI_LOOP_ITERATIONS), and for each of four depths a light may take some 300 nodes, a
+/// cookie 1000.
+constexpr int kLightsAtOnce = 32;
+constexpr int kCookiesAtOnce = 16;
 constexpr int kGridSteps[] = {kCoarsestGrid, 4, 2, 1};  // pixels
 constexpr double kMaxSpacing = 0.06;  // radians between a grid's texels, up to which airlight is known to be smooth
 constexpr GLint kMarked = AirlightTarget::kMarked;

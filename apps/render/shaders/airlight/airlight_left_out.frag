@@ -5,18 +5,17 @@
 #include "airlight/airlight_light.glsl"
 #include "pixel_direction.glsl"
 
-flat in int entry_index;
+flat in vec4 entry;
 
 void main() {
   ivec2 pixel = ivec2(gl_FragCoord.xy) * pixel_step;
   vec3 direction = pixel_direction(pixel);
-  AirlightEntry entry = airlight_entry(entry_index);
-  vec3 position = litfog_buffered_position_extent(entry.light).xyz;
+  vec3 position = litfog_buffered_position_extent(int(entry.x)).xyz;
   float square = squared_passing_distance(position, direction);
   float fraction = kept_fraction(entry, square, pixel_step) - kept_fraction(entry, square, 2 * pixel_step);
   airlight = vec4(0.0);
   gain = vec4(0.0);
   if (fraction <= 0.0) return;  // no discard, which would end the early stencil test
   vec4 seen = seen_at(pixel);
-  add_light(entry.light, fraction, direction, seen, shown_exposure_at(direction, seen));
+  add_light(int(entry.x), fraction, direction, seen, shown_exposure_at(direction, seen));
 }

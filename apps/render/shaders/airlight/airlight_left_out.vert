@@ -10,17 +10,16 @@ uniform vec3 eye;
 uniform vec4 target_from_picture;
 uniform int first_entry;
 
-flat out int entry_index;
+flat out vec4 entry;
 
 void main() {
-  entry_index = first_entry + gl_InstanceID;
-  AirlightEntry entry = airlight_entry(entry_index);
-  float radius = min(entry.reach, left_out_range(entry, 2 * pixel_step));
+  entry = texelFetch(airlight_entries, first_entry + gl_InstanceID);
+  float radius = min(entry.y, left_out_range(entry.z, entry.w, 2 * pixel_step));
   if (radius <= 0.0) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // outside the picture
     return;
   }
-  vec3 toward = litfog_buffered_position_extent(entry.light).xyz - eye;
+  vec3 toward = litfog_buffered_position_extent(int(entry.x)).xyz - eye;
   float range = length(toward);
   vec2 corner = vec2(gl_VertexID & 1, gl_VertexID >> 1) * 2.0 - 1.0;
   if (range < 1.05 * radius) {  // around the eye: the whole picture

@@ -66,10 +66,10 @@ vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
 // multilevel summation (Hardy et al. 2015, "Multilevel Summation Method for Electrostatic Force Evaluation"). That has
 // no peak, and meets k / h with three derivatives at t = 1. Near the light h stops at the falloff's width. A beam's
 // airlight jumps across its apex, and texels close to it miss a thin one, so next to nothing of a beam is kept there.
-float kept_fraction(AirlightEntry entry, float distance_squared, int grid_step) {
-  float range = left_out_range(entry, grid_step);
+float kept_fraction(vec4 entry, float distance_squared, int grid_step) {
+  float range = left_out_range(entry.z, entry.w, grid_step);
   if (grid_step == 1 || range <= 0.0) return 1.0;
-  float width = entry.width * entry.width;
+  float width = entry.w * entry.w;
   float q = min((distance_squared + width) / (range * range + width), 1.0);
   if (width == 0.0) return 1.0 - pow(1.0 - q, 4.0) * (1.0 + 4.0 * q);
   return sqrt(q) * (35.0 - q * (35.0 - q * (21.0 - 5.0 * q))) / 16.0;

@@ -35,12 +35,12 @@ void main() {
   gain = vec4(0.0);
   int i = list.x;
   do {  // tested at its end, as the loops of airlight.glsl
-    AirlightEntry entry = airlight_entry(texelFetch(tile_lists, i).x);
-    vec3 position = litfog_buffered_position_extent(entry.light).xyz;
+    vec4 entry = texelFetch(airlight_entries, texelFetch(tile_lists, i).x);
+    vec3 position = litfog_buffered_position_extent(int(entry.x)).xyz;
     float square = squared_passing_distance(position, direction);
-    bool is_reached = i < list.y && square < entry.reach * entry.reach;
+    bool is_reached = i < list.y && square < entry.y * entry.y;
     float fraction = is_reached ? kept_fraction(entry, square, pixel_step) : 0.0;
-    if (fraction > 0.0) add_light(entry.light, fraction, direction, seen, shown_exposure);
+    if (fraction > 0.0) add_light(int(entry.x), fraction, direction, seen, shown_exposure);
     ++i;
   } while (i < list.y);
 }

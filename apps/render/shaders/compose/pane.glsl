@@ -2,9 +2,12 @@
 // A fragment of a pane with the airlight before it.
 
 #include "compose/compose.glsl"
-#include "airlight/airlight_entry.glsl"
+#include "cookie.glsl"
+#include "litfog/shaders/light_airlight.glsl"
+#include "litfog/shaders/light_buffer.glsl"
 #include "scene.glsl"
 
+uniform samplerBuffer airlight_entries;  // render::AirlightEntry
 uniform int airlight_count;              // 0 where the scene is not lit by airlight
 
 #include "airlight/far_airlight_at.glsl"
@@ -18,12 +21,12 @@ vec3 airlight_before(vec3 position) {
   vec3 direction = (position - eye) / max(range, 1.0e-6);
   vec3 sum = vec3(0.0);
   for (int i = 0; i < airlight_count; ++i) {
-    AirlightEntry entry = airlight_entry(i);
-    int index = entry.light;
+    vec4 entry = texelFetch(airlight_entries, i);
+    int index = int(entry.x);
     LitfogLight light = litfog_buffered_light(index);
     vec3 to_light = light.position_extent.xyz - eye;
     vec3 offset = to_light - clamp(dot(to_light, direction), 0.0, range) * direction;
-    if (dot(offset, offset) > entry.reach * entry.reach) continue;
+    if (dot(offset, offset) > entry.y * entry.y) continue;
     float lit = has_shafts ? lit_fraction(index, light, direction, range) : 1.0;
     sum += lit * litfog_light_airlight(light, eye, direction, range);
     if (!has_shafts && far_depth > 0.0) {
