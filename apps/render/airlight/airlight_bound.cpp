@@ -119,7 +119,7 @@ double AirlightBound::reach(double budget) const {
     const double middle = low > 0 ? std::sqrt(low * high) : high / 8;
     (most_at(middle) <= budget ? high : low) = middle;
   }
-  return high;
+  return std::max(high, kLeastReach);
 }
 
 double AirlightBound::reach_where_phase_is(double phase, double budget) const {

@@ -44,6 +44,7 @@ struct PointGlow {
 /// phase function of asin(h / L) and of larger angles only, and beyond the light that of right angles and larger ones.
 class AirlightBound {
  public:
+  static constexpr double kLeastReach = 1e-3;    ///< metres: AirlightTiles see no light that reaches 1e-5
   static constexpr double kFarthestReach = 1e9;  ///< metres, for lights without an end: floats hold its square
 
   /// extent  of the light, metres
@@ -71,8 +72,8 @@ class AirlightBound {
 
   /// What the light adds beyond its extent to a ray from a distance S from the eye on, in isotropic fog.
   ///
-  /// Proof. With R the larger of the extent and S - L, r >= R. The weights -f'(s) of the eye's leg sum to at most f(S) in
-  /// the thinnest fog, and to at most f(S) in each band, so that the light adds at most a(R) f(R) f(S) of the thinnest,
+  /// Proof. With R the larger of the extent and S - L, r >= R. The weights -f'(s) of the eye's leg sum to at most f(S)
+  /// in the thinnest fog, and to at most f(S) in each band, so that the light adds at most a(R) f(R) f(S) of the thinnest,
   /// or the sum of those of the bands. Where -f'(s) f(r) is at most w, it also adds at most w pi / (Q R):
   /// a(r) <= 1 / (Q r^2), and the integral of 1 / r^2 over what is outside the ball of radius R is largest on the line
   /// that touches it.
