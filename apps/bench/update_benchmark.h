@@ -22,13 +22,13 @@ namespace litfog::bench {
 /// quick  fewer lights and steps: to see that it works
 Result measure_update(bool quick);
 
-/// An hour of a simulator at 60 steps a second, as fast as it goes: in each step the visibility moves, lights flash, are
-/// moved, switched, taken away and added as others. Columns:
+/// An hour of a simulator at 60 steps a second, as fast as it goes: in each step the visibility moves, lights flash,
+/// are moved, switched, taken away and added as others. Columns:
 ///
 /// lights, kinds, steps
 /// ms_per_step, ms_99, ms_worst  processor time of a step, the shorter of two runs that do the same: the median, the
 ///                               99th percentile, the longest
-/// resident_mib, grown_mib       memory of the process in the end, and how much of it came after a twentieth of the steps
+/// resident_mib, grown_mib       memory of the process in the end, and how much came after a twentieth of the steps
 /// max_deviation_255             largest difference of an intensity in the end from its exact value, in 1/255
 ///
 /// quick  fewer lights and steps: to see that it works

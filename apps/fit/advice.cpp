@@ -48,8 +48,7 @@ struct Trials {
   }
 };
 
-/// An error must become this much smaller for a change to be worth a sentence, the second for a light that costs drawing
-/// time.
+/// An error must become this much smaller for a change to be worth a sentence. A second light costs drawing time.
 constexpr double kWorthwhile = 0.95;
 constexpr double kWorthASecondLight = 0.7;
 

@@ -308,8 +308,8 @@ Outcome fit(const Options& options, const Input& input, const std::string& outpu
     if (options.choices.has_spill) split(outcome);
     outcome.advice =
         advice_on(fitted, options.choices, [&input](const FitChoices& other) { return read(input, other); });
-    const bool is_proven = outcome.two ? outcome.two->hot_spot.is_proven() && outcome.two->spill.is_proven()
-                                       : fitted.is_proven();
+    const bool is_proven =
+        outcome.two ? outcome.two->hot_spot.is_proven() && outcome.two->spill.is_proven() : fitted.is_proven();
     if (!is_proven || outcome.verdict->grade == Grade::poor) outcome.status = kNotToTolerance;
   } catch (...) {
     fail(outcome);
@@ -557,7 +557,8 @@ int main(int argc, char** argv) {
                                              "inputs, NAME.json each in this folder, "
                                              "made if missing")
                                   ->type_name("FILE|FOLDER");
-  app.add_flag("--force", options.is_forced, "Replace files of other kinds by the light, the spill, the plot and the cookie");
+  app.add_flag("--force", options.is_forced,
+               "Replace files of other kinds by the light, the spill, the plot and the cookie");
   app.add_option("--catalogue", options.catalogue,
                  "Write the lights, their pictures and a page of all of them, index.html, into this folder")
       ->type_name("FOLDER");

@@ -31,8 +31,8 @@ inline constexpr double kDirectionalAirlightMaxError = 1e-11;
 ///   A = integral over s in [0, D] of  d(s) e^(-depth from the eye - depth to the light) phase(theta)  ds,
 /// in closed form, derived in litfog/shaders/directional_airlight.glsl. A white surface that faces the light outside
 /// the fog shows colour, the fog airlight_unit() * colour * A. It is single scattering: the ambient fog colour stands
-/// for the light that is scattered more often, and for other light. Columns of
-/// different lengths are a bug of the caller and assert.
+/// for the light that is scattered more often, and for other light. Columns of different lengths are a bug of the caller
+/// and assert.
 ///
 /// atmosphere  exp fog, as directional_fog_factor() takes it
 /// to_light    unit within kDirectionTolerance

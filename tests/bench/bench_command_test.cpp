@@ -430,8 +430,8 @@ TEST_F(BenchMeasurement, FullDiskIsNoticed) {
 TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
   const Outcome help = run("--help");
   EXPECT_EQ(help.status, kDone);
-  for (const char* part : {"solve", "airlight", "lamps", "scattering", "glow", "update", "load", "fit", "--json", "--csv",
-                           "--plot", "--quick", "Exit status:"}) {
+  for (const char* part : {"solve", "airlight", "lamps", "scattering", "glow", "update", "load", "fit", "--json",
+                           "--csv", "--plot", "--quick", "Exit status:"}) {
     EXPECT_NE(help.out.find(part), std::string::npos) << part;
   }
   EXPECT_EQ(run("--version").status, kDone);

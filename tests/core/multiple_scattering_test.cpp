@@ -154,7 +154,8 @@ TEST(ScatteredLight, NoneIsLost) {
   const PlacedLight lamp = inverse_square_lamp({1, 2, 3});
   for (const Phase& phase : {Phase{}, Phase::henyey_greenstein(0.8), Phase::droplets(10)}) {
     const Atmosphere air = uniform_fog(0.1, phase);
-    const ScatteringSource source = scattering_source(lamp.light, air, make_thin_beams(air, make_scattering_table(air)));
+    const ScatteringSource source =
+        scattering_source(lamp.light, air, make_thin_beams(air, make_scattering_table(air)));
     for (const double range : {0.5, 10.0, 80.0}) {
       const dvec3 away = glm::normalize(dvec3(2, -1, 0.5));
       const DiffuseLight light = scattered_light(lamp, source, air, lamp.position + range * away);

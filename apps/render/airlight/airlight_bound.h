@@ -37,10 +37,9 @@ struct PointGlow {
 
 /// Upper bounds of a light's airlight, in the largest component of its colour; both legs lead through the fog. s is the
 /// distance from the eye, r that from the light, L from the eye to the light. litfog/shaders/airlight_bound.glsl bounds
-/// the fog's weight -f'(s) f(r) and the attenuation's integral. In layers the weight's bound is the largest of those of
-/// bands of height between knots: fog of a band is at least so far away as the band, and no thinner on either leg than
-/// Atmosphere::thinnest_fog_between(). Along a ray the angle of scattering rises from the
-/// angle between the ray and the vector to the light, so that a ray which passes the light at a distance h has the
+/// the fog's weight -f'(s) f(r) and the attenuation's integral. In layers the weight's bound is the largest of
+/// those of bands of height: fog of a band is at least as far away as the band, and hides on either leg at least what
+/// Atmosphere::thinnest_fog_between() does. Along a ray the angle of scattering rises from the angle between the ray and the vector to the light, so that a ray which passes the light at a distance h has the
 /// phase function of asin(h / L) and of larger angles only, and beyond the light that of right angles and larger ones.
 class AirlightBound {
  public:
@@ -64,8 +63,8 @@ class AirlightBound {
   double reach(double budget) const;
 
   /// Distance R from the eye beyond which the rest of no ray has more than a budget of airlight from within the extent
-  /// or of far_peak_reach(). Metres, 0 where no ray has more, infinity where some have
-  /// more beyond kSkyDistance.
+  /// or of far_peak_reach(). Metres, 0 where no ray has more, infinity where
+  /// some have more beyond kSkyDistance.
   ///
   /// Proof. At s >= R, r is at least R - L. By these the weight is bounded.
   double end(double budget) const;
@@ -73,8 +72,8 @@ class AirlightBound {
   /// What the light adds beyond its extent to a ray from a distance S from the eye on, in isotropic fog.
   ///
   /// Proof. With R the larger of the extent and S - L, r >= R. The weights -f'(s) of the eye's leg sum to at most f(S)
-  /// in the thinnest fog, and to at most f(S) in each band, so that the light adds at most a(R) f(R) f(S) of the thinnest,
-  /// or the sum of those of the bands. Where -f'(s) f(r) is at most w, it also adds at most w pi / (Q R):
+  /// in the thinnest fog, and to at most f(S) in each band, so that the light adds at most a(R) f(R) f(S) of the
+  /// thinnest, or the sum of those of the bands. Where -f'(s) f(r) is at most w, it also adds at most w pi / (Q R):
   /// a(r) <= 1 / (Q r^2), and the integral of 1 / r^2 over what is outside the ball of radius R is largest on the line
   /// that touches it.
   double beyond_extent(double distance) const;

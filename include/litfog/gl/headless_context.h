@@ -16,8 +16,8 @@ namespace litfog::gl {
 ///          thread that made it, which destroys it; contexts nested on a thread are destroyed in reverse order.
 class HeadlessContext {
  public:
-  /// throws Unsupported saying what is missing: a library, a device, memory for the driver, or threads, where too few can
-  /// start; also on a thread that has a current context of GLX
+  /// throws Unsupported saying what is missing: a library, a device, memory for the driver, or threads, where too few
+  /// can start; also on a thread that has a current context of GLX
   HeadlessContext();
   ~HeadlessContext();
   HeadlessContext(const HeadlessContext&) = delete;

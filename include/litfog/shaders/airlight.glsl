@@ -738,8 +738,9 @@ LITFOG_REAL litfog_airlight_bound(LitfogAirlight air, LitfogAirlightStretch stre
     size = min(size, max(-stretch.low, LITFOG_REAL(0.0)) + LITFOG_REAL(1.0) / air.density);
     lit = litfog_airlight_range(air, stretch.low);
   }
+  LITFOG_REAL seen = air.approach + stretch.low;
   LITFOG_REAL weight =
-      litfog_largest_fog_weight(air.mode, thickest, air.density * (air.approach + stretch.low), air.density * air.lamp_leg * lit);
+      litfog_largest_fog_weight(air.mode, thickest, air.density * seen, air.density * air.lamp_leg * lit);
   LITFOG_REAL denominator = litfog_denominator(nearest, air.constant, air.linear, air.quadratic);
   LITFOG_REAL beam = LITFOG_REAL(1.0);
   if (litfog_has_cone(air.profile) && air.axis_offset > LITFOG_REAL(0.0)) {
