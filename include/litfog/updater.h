@@ -127,8 +127,8 @@ class FogUpdater {
   /// (litfog/multiple_scattering.h): carried or not, whatever the budget. Allocates nothing.
   void solve_effective_intensities();
 
-  /// The source_intensity() of each kind's lights, m^2, rounded, at most the largest float; 0 of kinds of which no light
-  /// is on. Empty unless they are solved.
+  /// The source_intensity() of each kind's lights in the fog of set_fog(), m^2, rounded, at most the largest float; 0 of
+  /// kinds of which no light is on. In layers, source_intensity() has that of the densest fog. Empty unless they are solved.
   std::span<const float> effective_intensities() const;
 
   /// Index of a light among the instances.

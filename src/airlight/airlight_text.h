@@ -49,6 +49,7 @@ struct Text {
   DensityProfileText<Real> layers_text() const { return {layers}; }
   int litfog_knot_count() const { return int(layers.count); }
   Real litfog_knot_height(int i) const { return layers.knots[std::size_t(i)].height; }
+  Real litfog_knot_density(int i) const { return layers.knots[std::size_t(i)].density; }
   Real litfog_profile_density(Real height) const { return layers_text().litfog_profile_density(height); }
   Real litfog_mean_density(Real a, Real b) const { return layers_text().litfog_mean_density(a, b); }
   Real litfog_largest_profile_density() const { return layers_text().litfog_largest_profile_density(); }

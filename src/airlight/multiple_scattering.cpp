@@ -87,6 +87,12 @@ double coordinate(const PhasePlace& of, double parameter) {
   return of.rows.front().phase[0] == 'h' ? -std::log1p(-parameter) : std::log(parameter);
 }
 
+/// A profile whose densities, times any height, are finite.
+DensityProfile thinned(DensityProfile profile) {
+  for (DensityKnot& knot : profile.knots) knot.density = std::min(knot.density, double(kMaxKnotDensity));
+  return profile;
+}
+
 struct ScatteringText : Text<double, NoCookie> {
   struct LitfogScatteredBeam {
     double share, radial, turned, forward;
@@ -132,6 +138,9 @@ struct ScatteringText : Text<double, NoCookie> {
 #include "litfog/shaders/diffuse_light.glsl"  // undefines LITFOG_REAL
 #define LITFOG_REAL double
 #include "litfog/shaders/multiple_scattering.glsl"  // undefines both
+#define LITFOG_REAL double
+#define LITFOG_CONSTANT static constexpr
+#include "litfog/shaders/layered_scattering.glsl"  // undefines both
 #undef litfog_expm1
 };
 
@@ -215,9 +224,6 @@ std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere) {
   if (atmosphere.fog.mode != FogMode::exp) {
     return ValueError{"fog.mode", double(atmosphere.fog.mode), "must be exp for all orders of scattering"};
   }
-  if (atmosphere.profile.count > 0) {
-    return ValueError{"profile.count", double(atmosphere.profile.count), "must be 0 for all orders of scattering"};
-  }
   if (atmosphere.albedo != 1) return ValueError{"albedo", atmosphere.albedo, "must be 1 for all orders of scattering"};
   if (place(atmosphere.phase).rows.empty()) {
     return ValueError{
@@ -277,7 +283,7 @@ double unchecked::source_intensity(const Attenuation& attenuation, const Fog& se
 double source_intensity(const Light& light, const Atmosphere& atmosphere) {
   require(find_error(light));
   require(find_error(atmosphere));
-  return unchecked::source_intensity(light.attenuation, unchecked::scaled(atmosphere.fog, light.density_scale));
+  return unchecked::source_intensity(light.attenuation, unchecked::scaled(atmosphere.thickest_fog(), light.density_scale));
 }
 
 ScatteringSource scattering_source(const Light& light, const BeamMoments& shape, const Atmosphere& atmosphere,
@@ -304,8 +310,12 @@ double multiple_scattering(const PlacedLight& light, const ScatteringSource& sou
   Fog fog = unchecked::scaled(atmosphere.fog, light.light.density_scale);
   fog.density = std::min(fog.density, kThickest);
   const NoCookie no_cookie;
-  ScatteringText text{{no_cookie, atmosphere.profile}, &table, &source.beam};
+  const DensityProfile layers = thinned(atmosphere.profile);
+  ScatteringText text{{no_cookie, layers}, &table, &source.beam};
   const auto air = text.seen_along(light, 0, fog, ray, LampLeg::fogged, phase_text::pack<double>(atmosphere.phase));
+  if (text.litfog_airlight_is_layered(air)) {
+    return source.intensity * text.litfog_layered_scattering(air, source.is_cone ? 0 : -1, mean_cosine(atmosphere.phase));
+  }
   return source.intensity * (source.is_cone ? text.litfog_multiple_scattering(air, 0, source.phase_cosine)
                                             : text.litfog_multiple_scattering(air));
 }
@@ -332,8 +342,14 @@ void scattered_light(const PlacedLight& light, const ScatteringSource& source, c
     require(find_position_error(position, {"position.x", "position.y", "position.z"}));
   }
   const NoCookie no_cookie;
-  ScatteringText text{{no_cookie}, nullptr, &source.beam};
-  const double density = unchecked::scaled(atmosphere.fog, light.light.density_scale).density;
+  const DensityProfile layers = thinned(atmosphere.profile);
+  ScatteringText text{{no_cookie, layers}, nullptr, &source.beam};
+  ScatteringText::LitfogAirlight air{};
+  air.density = unchecked::scaled(atmosphere.fog, light.light.density_scale).density;
+  air.layer_scale = atmosphere.profile.count > 0 ? light.light.density_scale : 0;
+  air.lamp_height = light.position.y;
+  const auto slab = text.litfog_airlight_is_layered(air) ? text.litfog_slab(air) : ScatteringText::LitfogSlab{};
+  const double phase_cosine = mean_cosine(atmosphere.phase);
   const glm::dvec3 axis = glm::normalize(light.direction);
   for (std::size_t i = 0; i < positions.size(); ++i) {
     const glm::dvec3 offset = positions[i] - light.position;
@@ -344,9 +360,15 @@ void scattered_light(const PlacedLight& light, const ScatteringSource& source, c
     const double cosine = std::clamp(glm::dot(away, axis), -1.0, 1.0);
     const glm::dvec3 turned = away * cosine - axis;
     const double sine = glm::length(turned);
+    double density = air.density, kept = 1;
+    if (text.litfog_airlight_is_layered(air)) {
+      const auto fog = text.litfog_endless_fog(air, slab, positions[i].y);
+      density = fog.density;
+      kept = text.litfog_kept_in_slab(slab, fog, std::hypot(offset.x, offset.z), phase_cosine);
+    }
     const auto found = text.litfog_scattered_light(density * range, range, 0, cosine);
     const glm::dvec3 flow = found.radial * away + (sine > 0 ? found.turned / sine * turned : glm::dvec3(0.0));
-    scattered[i] = source.intensity * DiffuseLight{.all = found.all, .flow = flow};
+    scattered[i] = source.intensity * kept * DiffuseLight{.all = found.all, .flow = flow};
   }
 }
 

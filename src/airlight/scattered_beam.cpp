@@ -91,6 +91,7 @@ ThinBeams make_thin_beams(const Atmosphere& atmosphere, const ScatteringTable& t
   require(find_scattering_error(atmosphere));
   Atmosphere air = atmosphere;
   air.fog.density = 1;
+  air.profile = {};
   ThinBeams beams;
   for (int row = 0; row < kBeamDepths; ++row) beams.rows[std::size_t(row)] = make_row(depth_of(row), air, table);
   return beams;

@@ -28,6 +28,7 @@ TEST(ShaderLibrary, LibraryHoldsTheInstalledFiles) {
                                                "litfog/shaders/expm1.glsl",
                                                "litfog/shaders/fog.glsl",
                                                "litfog/shaders/formulas.glsl",
+                                               "litfog/shaders/layered_scattering.glsl",
                                                "litfog/shaders/light.glsl",
                                                "litfog/shaders/light_airlight.glsl",
                                                "litfog/shaders/light_block.glsl",

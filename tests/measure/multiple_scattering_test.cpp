@@ -108,27 +108,79 @@ TEST(MultipleScattering, PointLampIsThatOfTheRandomWalk) {
   }
 }
 
-// Why layers scatter once: light leaves a layer of three optical depths above a dark ground, so that neither endless fog
-// of the same optical depth on the way nor single scattering stands for it.
-TEST(MultipleScattering, EndlessFogIsTooBrightForALayerAndOneScatteringTooDark) {
-  const Atmosphere endless{.fog = {FogMode::exp, 1}};
-  Atmosphere layer;
-  layer.profile = make_density_profile(std::array<DensityKnot, 2>{{{2.4, 1}, {3.6, 0}}});
-  const ScatteringTable table = make_scattering_table(endless);
-  PlacedLight lamp = lamp_ahead(3);
-  EyeRay ray = ray_beside(pi / 12);
-  lamp.position.y = ray.origin.y = 0.3;
-  measure::ScatteringWalk walk;
-  walk.paths = 4096;
-  walk.ground = measure::Ground{};
-  const auto chance = measure::walk_scattering(lamp, layer, ray, walk);
-  const double truth = chance.first.value + chance.higher.value;
-  const double by_endless = (chance.first.value + multiple_scattering(lamp, endless, table, ray)) / truth;
-  std::printf("layer: %.3f of the truth by endless fog, %.3f by single scattering, standard error %.3f\n", by_endless,
-              chance.first.value / truth, chance.higher.error / truth);
-  EXPECT_GT(by_endless, 2);
-  EXPECT_LT(chance.first.value / truth, 0.3);
-  EXPECT_LT(chance.higher.error / truth, 0.1);
+/// A layer of fog that begins at a height of 0, with sharp edges or with ramps.
+Atmosphere layer_of(double thickness, bool has_ramps, const Phase& phase) {
+  Atmosphere air{.fog = {FogMode::exp, 0}, .phase = phase};
+  const double ramp = has_ramps ? 0.4 * thickness : 1e-4;
+  air.profile = make_density_profile(
+      std::array<DensityKnot, 4>{{{-ramp, 0}, {0, 1}, {thickness, 1}, {thickness + ramp, 0}}});
+  return air;
+}
+
+// Lamps and eyes in layers, above and below them.
+TEST(MultipleScattering, WholeGlowOfAPointLampInLayersIsNearTheTrueOne) {
+  Random random(4208);
+  std::vector<double> errors, once;
+  for (int i = 0; i < 400; ++i) {
+    const Case& c = kCases[std::size_t(i) % std::size(kCases)];
+    const double thickness = random.log_uniform(0.1, 10);
+    const Atmosphere air = layer_of(thickness, i % 2 == 1, c.phase);
+    const double beside = random.log_uniform(0.05, 6);
+    PlacedLight lamp = lamp_ahead(beside);
+    EyeRay ray;
+    lamp.position.y = random.uniform(-0.3, 1.5) * thickness;
+    ray.origin.y = random.uniform(-0.3, 1.5) * thickness;
+    const glm::dvec3 ahead = glm::normalize(lamp.position - ray.origin);
+    const double angle = random.log_uniform(1, 120) * pi / 180, turn = random.uniform(0, 2 * pi);
+    const glm::dvec3 right(1, 0, 0), up = glm::cross(right, ahead);
+    ray.direction = std::cos(angle) * ahead + std::sin(angle) * (std::cos(turn) * right + std::sin(turn) * up);
+    if (random.chance(0.5)) ray.length = glm::distance(lamp.position, ray.origin) * random.log_uniform(0.3, 3);
+    measure::ScatteringWalk walk;
+    walk.paths = 2048;
+    walk.seed = std::uint64_t(i);
+    const auto chance = measure::walk_scattering(lamp, air, ray, walk);
+    const double single = airlight(lamp, air, ray), truth = single + chance.higher.value;
+    if (!(chance.higher.error < 0.05 * truth)) continue;  // of few paths, or of no fog
+    const double found = single + multiple_scattering(lamp, air, make_scattering_table(air), ray);
+    errors.push_back(std::abs(found / truth - 1));
+    once.push_back(1 - single / truth);
+  }
+  std::printf("%zu rays in layers: %.3f and %.3f of the glow, scattered once %.3f and %.3f too dark\n", errors.size(),
+              measure::quantile(errors, 0.5), measure::quantile(errors, 0.9), measure::quantile(once, 0.5), measure::quantile(once, 0.9));
+  ASSERT_GT(errors.size(), 200u);
+  EXPECT_LE(measure::quantile(errors, 0.5), kLayeredScatteringMedianError);
+  EXPECT_LE(measure::quantile(errors, 0.9), kLayeredScatteringTypicalError);
+  EXPECT_GT(measure::quantile(once, 0.5), 0.3);
+}
+
+// On the ground below a layer. The truth is the radiance of all directions above, by a walk each.
+TEST(ScatteredIrradiance, InLayersIsThatOfItsGlowWithinAFactor) {
+  Random random(4209);
+  std::vector<double> factors;
+  for (int i = 0; i < 24; ++i) {
+    const double thickness = random.log_uniform(0.3, 6);
+    const Atmosphere air = layer_of(thickness, false, kCases[std::size_t(i) % std::size(kCases)].phase);
+    PlacedLight lamp = lamp_ahead(random.log_uniform(0.2, 4));
+    lamp.position.y = random.uniform(0.05, 1) * thickness;
+    constexpr int kDirections = 64;
+    double truth = 0;
+    for (int k = 0; k < kDirections; ++k) {  // a spiral, as many directions as their cosines weigh
+      const double cosine = std::sqrt((k + 0.5) / kDirections), sine = std::sqrt(1 - cosine * cosine), turn = 2.4 * k;
+      measure::ScatteringWalk walk;
+      walk.paths = 256;
+      walk.seed = std::uint64_t(1000 * i + k);
+      const auto chance = measure::walk_scattering(
+          lamp, air, {.direction = {sine * std::cos(turn), cosine, sine * std::sin(turn)}}, walk);
+      truth += (chance.first.value + chance.higher.value) / (4 * kDirections);
+    }
+    const ThinBeams beams = make_thin_beams(air, make_scattering_table(air));
+    const ScatteringSource source = scattering_source(lamp.light, air, beams);
+    const double found = irradiance(scattered_light(lamp, source, air, glm::dvec3(0.0)), {0, 1, 0});
+    factors.push_back(std::max(found / truth, truth / found));
+  }
+  std::printf("irradiance below layers: within factors of %.2f and %.2f\n", measure::quantile(factors, 0.5), measure::quantile(factors, 0.9));
+  EXPECT_LE(measure::quantile(factors, 0.5), kLayeredIrradianceMedianFactor);
+  EXPECT_LE(measure::quantile(factors, 0.9), kLayeredIrradianceTypicalFactor);
 }
 
 // The truth is the radiance of all directions before the surface, summed.

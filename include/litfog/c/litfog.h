@@ -457,7 +457,7 @@ typedef struct litfog_diffuse_light {
   double flow[3];  ///< that of the radiance times the direction of its travel, each at most 1e100 in magnitude
 } litfog_diffuse_light;
 
-/// How the fog scatters a thin beam, for litfog_make_scattering_source: exp fog without layers, of albedo 1.
+/// How the fog scatters a thin beam, for litfog_make_scattering_source: exp fog of albedo 1.
 ///
 /// table  that of the atmosphere
 LITFOG_API litfog_status litfog_make_thin_beams(const litfog_atmosphere* atmosphere,

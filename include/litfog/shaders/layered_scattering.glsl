@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: Apache-2.0
+// litfog: light that layers of fog scatter to the eye twice and more often, M of litfog/multiple_scattering.h. Shared
+// with C++ as airlight.glsl is; GLSL includes it after multiple_scattering.glsl.
+//
+// At a place, layers count as endless fog of the mean density between the place and the lamp, of whose light they keep
+// a part: the rest leaves them above and below.
+
+#ifndef LITFOG_LAYERED_SCATTERING_GLSL
+#define LITFOG_LAYERED_SCATTERING_GLSL
+
+#ifndef __cplusplus
+#include "litfog/shaders/multiple_scattering.glsl"
+
+#define LITFOG_REAL float
+#define LITFOG_CONSTANT const
+#endif
+
+// 1/m: as light_airlight.glsl has it.
+LITFOG_CONSTANT LITFOG_REAL litfog_densest_layer = LITFOG_REAL(1.0e6);
+
+// Optical depths of thicker layers count as this, whose square is finite in floats.
+LITFOG_CONSTANT LITFOG_REAL litfog_thickest_layer = LITFOG_REAL(1.0e15);
+
+// The distance beyond the edge of a slab where the light of diffusion ends, in transport mean free paths: fitted like
+// the powers below. It is 0.71 in Milne's problem (Kenneth Case and Paul Zweifel 1967, "Linear Transport Theory").
+LITFOG_CONSTANT LITFOG_REAL litfog_beyond_slab = LITFOG_REAL(1.0);
+
+// Powers of litfog_scattered_again() at the place, near the lamp and far from it, and at the lamp far from the place,
+// and the distance between near and far in transport mean free paths: fitted to walks in slabs of 0.1 to 10 optical
+// depths.
+LITFOG_CONSTANT LITFOG_REAL litfog_slab_power_near = LITFOG_REAL(0.1);
+LITFOG_CONSTANT LITFOG_REAL litfog_slab_power_far = LITFOG_REAL(2.6);
+LITFOG_CONSTANT LITFOG_REAL litfog_slab_power_lamp = LITFOG_REAL(0.3);
+LITFOG_CONSTANT LITFOG_REAL litfog_slab_far = LITFOG_REAL(4.0);
+
+// Optical depth between two heights of the layers, lowest <= highest, straight up.
+LITFOG_REAL litfog_layer_column(LitfogAirlight air, LITFOG_REAL lowest, LITFOG_REAL highest) {
+  return min((highest - lowest) * (air.density + air.layer_scale * litfog_mean_density(lowest, highest)),
+             litfog_thickest_layer);
+}
+
+// Optical depth of the fog along the ray between two distances from the eye.
+LITFOG_REAL litfog_depth_of_stretch(LitfogAirlight air, LITFOG_REAL from, LITFOG_REAL to) {
+  LITFOG_REAL density =
+      air.density + air.layer_scale * litfog_mean_density(litfog_airlight_height(air, from - air.approach),
+                                                          litfog_airlight_height(air, to - air.approach));
+  return (to - from) * density;
+}
+
+// The optical depth that stands for the endless fog beyond the outermost knot: none where it is thin beside the densest
+// fog, endless where it is as dense.
+LITFOG_REAL litfog_depth_beyond(LitfogAirlight air, int knot) {
+  LITFOG_REAL part = (air.density + air.layer_scale * litfog_knot_density(knot)) /
+                     (air.density + air.layer_scale * litfog_largest_profile_density());
+  return part * part / max(LITFOG_REAL(1.0) - part, LITFOG_REAL(1.0e-6));
+}
+
+// The exponential integral E2, the part of light from all directions of a half space that an optical depth lets
+// through, within 0.07.
+LITFOG_REAL litfog_exponential_integral(LITFOG_REAL depth) {
+  return exp(-depth) / (LITFOG_REAL(1.0) + LITFOG_REAL(1.5) * depth);
+}
+
+// The part of light, sent evenly to all sides, that a slab scatters before it leaves.
+LITFOG_REAL litfog_scattered_again(LITFOG_REAL above, LITFOG_REAL below) {
+  return LITFOG_REAL(1.0) -
+         LITFOG_REAL(0.5) * (litfog_exponential_integral(above) + litfog_exponential_integral(below));
+}
+
+// The layers as a slab of scattering fog.
+struct LitfogSlab {
+  LITFOG_REAL at_bottom;  // optical depth that stands for the fog below the lowest knot
+  LITFOG_REAL lamp;       // from there to the lamp
+  LITFOG_REAL thickness;
+};
+
+// Optical depth from the slab's bottom to a height.
+LITFOG_REAL litfog_height_in_slab(LitfogAirlight air, LITFOG_REAL at_bottom, LITFOG_REAL height) {
+  LITFOG_REAL bottom = litfog_knot_height(0);
+  LITFOG_REAL top = litfog_knot_height(litfog_knot_count() - 1);
+  return at_bottom + litfog_layer_column(air, bottom, clamp(height, bottom, top));
+}
+
+LitfogSlab litfog_slab(LitfogAirlight air) {
+  int last = litfog_knot_count() - 1;
+  LitfogSlab slab;
+  slab.at_bottom = litfog_depth_beyond(air, 0);
+  slab.lamp = litfog_height_in_slab(air, slab.at_bottom, air.lamp_height);
+  slab.thickness =
+      litfog_height_in_slab(air, slab.at_bottom, litfog_knot_height(last)) + litfog_depth_beyond(air, last);
+  return slab;
+}
+
+// The endless fog that layers count as at a place: its density is the mean density between the place and the lamp.
+struct LitfogEndlessFog {
+  LITFOG_REAL density;
+  LITFOG_REAL place;  // optical depth from the slab's bottom
+};
+
+LitfogEndlessFog litfog_endless_fog(LitfogAirlight air, LitfogSlab slab, LITFOG_REAL height) {
+  LITFOG_REAL density = air.density + air.layer_scale * litfog_mean_density(air.lamp_height, height);
+  LitfogEndlessFog fog;
+  fog.density = min(density, litfog_densest_layer);
+  fog.place = litfog_height_in_slab(air, slab.at_bottom, height);
+  return fog;
+}
+
+// The part of what that fog scatters that layers keep: of diffusion in a slab from which no light comes back, with one
+// image of the lamp beyond either edge, times powers of what is scattered again, of which there is little in a thin
+// slab.
+//
+// beside        metres between the place and the lamp, level
+// phase_cosine  mean cosine of the phase function
+LITFOG_REAL litfog_kept_in_slab(LitfogSlab slab, LitfogEndlessFog fog, LITFOG_REAL beside, LITFOG_REAL phase_cosine) {
+  LITFOG_REAL transport = LITFOG_REAL(1.0) - phase_cosine;
+  LITFOG_REAL level = transport * fog.density * beside;
+  LITFOG_REAL up = transport * (fog.place - slab.lamp);
+  LITFOG_REAL range = sqrt(level * level + up * up);
+  LITFOG_REAL over_place = slab.thickness - fog.place;
+  LITFOG_REAL over_lamp = slab.thickness - slab.lamp;
+  LITFOG_REAL below = transport * (fog.place + slab.lamp) + LITFOG_REAL(2.0) * litfog_beyond_slab;
+  LITFOG_REAL above = transport * (over_place + over_lamp) + LITFOG_REAL(2.0) * litfog_beyond_slab;
+  LITFOG_REAL far = range / (range + litfog_slab_far);
+  return (LITFOG_REAL(1.0) - range / sqrt(level * level + below * below)) *
+         (LITFOG_REAL(1.0) - range / sqrt(level * level + above * above)) *
+         exp((litfog_slab_power_near + litfog_slab_power_far * far) *
+                 log(litfog_scattered_again(over_place, fog.place)) +
+             litfog_slab_power_lamp * far * log(litfog_scattered_again(over_lamp, slab.lamp)));
+}
+
+// A stretch of the ray in layers, short beside the distance to the lamp.
+struct LitfogLayeredStretch {
+  LITFOG_REAL from;  // metres from the eye
+  LITFOG_REAL to;
+  LITFOG_REAL place;  // the middle of its fog
+  LITFOG_REAL part;   // of what endless fog sends to its beginning, what reaches the eye if the slab keeps all
+  LitfogEndlessFog fog;
+};
+
+LitfogLayeredStretch litfog_layered_stretch(LitfogAirlight air, LitfogSlab slab, LITFOG_REAL from, LITFOG_REAL to) {
+  LITFOG_REAL middle = LITFOG_REAL(0.5) * (from + to);
+  LITFOG_REAL first = litfog_depth_of_stretch(air, from, middle);
+  LITFOG_REAL second = litfog_depth_of_stretch(air, middle, to);
+  LitfogLayeredStretch stretch;
+  stretch.from = from;
+  stretch.to = to;
+  stretch.place =
+      middle + LITFOG_REAL(0.25) * (to - from) * (second - first) / max(first + second, LITFOG_REAL(1.0e-30));
+  stretch.fog = litfog_endless_fog(air, slab, litfog_airlight_height(air, stretch.place - air.approach));
+  stretch.part = LITFOG_REAL(0.0);
+  LITFOG_REAL depth = stretch.fog.density * (to - from);
+  if (min(depth, first + second) > LITFOG_REAL(1.0e-30)) {
+    stretch.part = exp(-litfog_depth_of_stretch(air, LITFOG_REAL(0.0), from)) * litfog_expm1(-first - second) /
+                   litfog_expm1(-depth);
+  }
+  return stretch;
+}
+
+// The lamp as the ray would see it in the endless fog of a stretch.
+LitfogAirlight litfog_in_endless_fog(LitfogAirlight air, LitfogLayeredStretch stretch) {
+  air.density = stretch.fog.density;
+  air.layer_scale = LITFOG_REAL(0.0);
+  return air;
+}
+
+// M of a point lamp from a stretch, over the lamp's effective intensity.
+LITFOG_REAL litfog_scattered_in_stretch(LitfogAirlight air, LitfogSlab slab, LitfogLayeredStretch stretch,
+                                        LITFOG_REAL phase_cosine) {
+  if (!(stretch.part > LITFOG_REAL(0.0))) return LITFOG_REAL(0.0);
+  LITFOG_REAL along = stretch.place - air.approach;
+  LITFOG_REAL range = litfog_airlight_range(air, along);
+  LITFOG_REAL rise = litfog_airlight_height(air, along) - air.lamp_height;
+  LITFOG_REAL kept =
+      litfog_kept_in_slab(slab, stretch.fog, sqrt(max(range * range - rise * rise, LITFOG_REAL(0.0))), phase_cosine);
+  LitfogAirlight endless = litfog_in_endless_fog(air, stretch);
+  LITFOG_REAL beyond = exp(-endless.density * (stretch.to - stretch.from)) *
+                       litfog_scattered_from(endless, stretch.to - air.approach, LITFOG_REAL(0.0));
+  return stretch.part * kept *
+         max(litfog_scattered_from(endless, stretch.from - air.approach, LITFOG_REAL(0.0)) - beyond, LITFOG_REAL(0.0));
+}
+
+// M along a ray in layers, over the lamp's effective intensity.
+//
+// beam  index of the cone's ScatteredBeam; below 0 for a point lamp
+LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
+  const int pieces = 64;
+  LITFOG_REAL first = litfog_airlight_start_of_layers(air);
+  LITFOG_REAL last = min(air.ray_length, litfog_airlight_end_of_layers(air, LITFOG_REAL(12.0)));
+  if (!(last > first)) return LITFOG_REAL(0.0);
+  LitfogSlab slab = litfog_slab(air);
+  LITFOG_REAL width = max(air.offset, LITFOG_REAL(1.0e-4) * (last - first));
+  LITFOG_REAL start = asinh((first - air.approach) / width);
+  LITFOG_REAL step = (asinh((last - air.approach) / width) - start) / LITFOG_REAL(pieces);
+  LITFOG_REAL sum = LITFOG_REAL(0.0);
+  LITFOG_REAL from = first;
+  for (int i = 1; i <= pieces; ++i) {
+    LITFOG_REAL t = start + step * LITFOG_REAL(i);
+    LITFOG_REAL to =
+        i < pieces ? clamp(air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)), from, last) : last;
+    LitfogLayeredStretch stretch = litfog_layered_stretch(air, slab, from, to);
+    LITFOG_REAL scattered = litfog_scattered_in_stretch(air, slab, stretch, phase_cosine);
+    if (beam >= LITFOG_REAL(0.0) && scattered > LITFOG_REAL(0.0)) {
+      scattered *=
+          litfog_beam_share(litfog_in_endless_fog(air, stretch), stretch.place - air.approach, beam, phase_cosine);
+    }
+    sum += scattered;
+    from = to;
+  }
+  return sum;
+}
+
+#undef LITFOG_REAL
+#undef LITFOG_CONSTANT
+
+#endif
