@@ -322,7 +322,8 @@ void Renderer::draw_airlight(const View& view, double exposure, Interruption& in
                            .atmosphere = atmosphere_,
                            .exposure = exposure},
                           interruption);
-  compositor_.add_airlight(framebuffer_, airlight_->pyramid.airlight(), airlight_->far, airlight_->seen, has_panes());
+  compositor_.add_airlight(framebuffer_, airlight_->pyramid.airlight(), airlight_->far, airlight_->seen, view,
+                          has_panes());
 }
 
 void Renderer::draw_light_points(const View& view, const FramePlan& plan) {

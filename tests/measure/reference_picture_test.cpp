@@ -502,6 +502,23 @@ TEST_F(ReferencePictureTest, AllOrdersOfScatteringAreThoseOfTheReference) {
   }
 }
 
+// Lamps in ground fog seen from above it, and under a cloud.
+TEST_F(ReferencePictureTest, AllOrdersInLayersAreThoseOfTheReference) {
+  for (const char* name : {"village", "breakout"}) {
+    const Scene scene = read_scene(bundled_scene_path(name));
+    RenderSettings settings = by_airlight();
+    settings.scattering = Scattering::all;
+    Renderer renderer(scene, 96, 54, settings);
+    const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp, suggested_visibility(scene)));
+    const std::string measured = fmt::format("{}: largest {:6.3f}, mean {:6.3f}, {} excluded", name, error.largest,
+                                             error.mean, error.excluded);
+    fmt::print("{}\n", measured);
+    EXPECT_LE(error.largest, 18) << measured;
+    EXPECT_LE(error.mean, 0.3) << measured;
+    EXPECT_LE(error.excluded, 108u) << measured;
+  }
+}
+
 // A small angle to each pixel, as in large pictures: airlight is then drawn at few of them first.
 TEST_F(ReferencePictureTest, AirlightOfADistantViewIsThatOfTheReference) {
   for (const char* name : {"headlights", "lighthouse", "room", "street"}) {

@@ -55,10 +55,15 @@ AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmo
     : attenuation_(light.light.attenuation),
       extent_(extent),
       mode_(atmosphere.fog.mode),
+      is_layered_(atmosphere.profile.count > 0),
       scattering_(&scattering),
       glow_(glow),
       brightness_(airlight_unit(atmosphere) * largest_component(light.light.color)),
       eye_range_(glm::distance(eye, light.position)) {
+  const bool sees_layers_from_outside = is_layered_ && !(atmosphere.fog_at(eye.y).density > 0);
+  const double rise = std::abs(eye.y - light.position.y);
+  const double flattened = sees_layers_from_outside ? std::clamp(eye_range_ / rise, 1.0, kMostFlattened) : 1;
+  near_ = eye_range_ * std::min(std::sin(FarAirlightList::kPeakAngle) * flattened, 1.0);
   const double scale = light.light.density_scale;
   const auto density_of = [&](const Fog& fog) {
     constexpr double kDensest = 1e6;  // as in light_airlight.glsl
@@ -173,24 +178,36 @@ double AirlightBound::glow_at(double depth, double angle) const {
   return brightness_ * glow_.intensity * largest_density_ * largest_density_ * scattered_at(*glow_.table, depth, angle);
 }
 
+double AirlightBound::glow_beside(double distance) const {
+  if (!is_layered_) return glow_at(largest_density_ * eye_range_, angle_at(distance));
+  double largest = 0;
+  for (double before = eye_range_; before > std::max(distance / 4, kLeastReach); before /= 2) {
+    largest = std::max(largest, glow_at(largest_density_ * std::hypot(before, distance), std::atan2(distance, before)));
+  }
+  return largest;
+}
+
 double AirlightBound::higher_orders(double distance) const {
   if (!glow_.table) return 0;
-  const double depth = largest_density_ * std::abs(distance - eye_range_);
-  return fog_factor_at({mode_, largest_density_}, distance) * glow_at(depth, FarAirlightList::kPeakAngle);
+  double range = std::abs(distance - eye_range_);
+  if (is_layered_) range = std::max(range, 0.5 * near_);  // beside_peak() of shaders/airlight/higher_orders.glsl
+  double weight = 0;
+  for (const Band& band : bands()) {
+    weight = std::max(weight, band.density * fog_factor_at({mode_, band.seen.density}, std::max(distance, band.seen.nearest)));
+  }
+  return weight / largest_density_ * glow_at(largest_density_ * range, FarAirlightList::kPeakAngle);
 }
 
 double AirlightBound::higher_orders_reach(double budget) const {
   if (!glow_.table) return 0;
-  const double depth = largest_density_ * eye_range_;
-  const double left_out = glow_at(depth, FarAirlightList::kPeakAngle);
-  const auto peak_at = [&](double angle) { return glow_at(depth, angle) - left_out; };
-  double low = 0, high = FarAirlightList::kPeakAngle;
-  if (peak_at(low) <= budget) return 0;
+  const double left_out = is_layered_ ? 0 : glow_beside(near_);
+  double low = 0, high = near_;
+  if (glow_beside(0) - left_out <= budget) return 0;
   for (int i = 0; i < 24; ++i) {
     const double middle = (low + high) / 2;
-    (peak_at(middle) > budget ? low : high) = middle;
+    (glow_beside(middle) - left_out > budget ? low : high) = middle;
   }
-  return eye_range_ * std::sin(high);
+  return high;
 }
 
 double AirlightBound::beyond_extent(double distance) const {
@@ -212,7 +229,7 @@ double AirlightBound::k(double distance) const {
       scattering_->is_isotropic() ? 1 : 15 * scattering_->integral_from(angle_at(distance)) / std::numbers::pi;
   const double slope = std::max(attenuation_.quadratic, attenuation_.linear / std::max(width(), 1e-3));
   const double single = bends * brightness_ * largest_weight(0, 0) * 4 / std::max(slope, 1e-30);
-  return glow_.table ? single + distance * glow_at(largest_density_ * eye_range_, angle_at(distance)) : single;
+  return glow_.table ? single + distance * glow_beside(distance) : single;
 }
 
 AirlightBound::Distances AirlightBound::optical(const Band& band, double seen, double lit) const {

@@ -44,6 +44,8 @@ struct PointGlow {
 class AirlightBound {
  public:
   static constexpr double kLeastReach = 1e-3;    ///< metres: AirlightTiles see no light that reaches 1e-5
+  /// By how much rays that look into layers from outside pass the light farther away and still count as near it.
+  static constexpr double kMostFlattened = 4;
   static constexpr double kFarthestReach = 1e9;  ///< metres, for lights without an end: floats hold its square
 
   /// extent  of the light, metres
@@ -103,6 +105,9 @@ class AirlightBound {
   double angle_at(double distance) const;  // smallest of scattering, for rays that pass the light at a distance
   double largest_phase_at(double distance) const { return scattering_->largest_from(angle_at(distance)); }
   double glow_at(double depth, double angle) const;
+  /// What is scattered twice and more often to rays that pass the light at a distance. In layers it may come from near
+  /// the light through clear air.
+  double glow_beside(double distance) const;
   double most_at(double distance) const;  // airlight of rays that pass the light at a distance
   double reach_where_phase_is(double phase, double budget) const;
   double width() const;  // metres: the falloff's
@@ -128,6 +133,7 @@ class AirlightBound {
   Attenuation attenuation_;
   double extent_;
   FogMode mode_;
+  bool is_layered_;
   static constexpr std::size_t kMaxBands = 5 * kMaxDensityKnots + 9;
   std::array<Band, kMaxBands> bands_;  // as the light's class sees them
   std::size_t band_count_ = 0;
@@ -137,6 +143,7 @@ class AirlightBound {
   PointGlow glow_;
   double brightness_;  // in isotropic fog
   double eye_range_;
+  double near_;  // metres from the light: rays that pass it nearer have a peak of what is scattered twice and more often
 };
 
 }  // namespace litfog::render

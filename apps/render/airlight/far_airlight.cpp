@@ -113,6 +113,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphe
 }
 
 void FarAirlight::bind(const gl::Program& program, PassTextures& textures) const {
+  bind_lights(program, fog_lights_);
   textures.bind("far_airlight", sums_, GL_TEXTURE_2D);
   set_uniform(program, "far_depth", float(depth_));
   set_uniform(program, "far_step", step_);

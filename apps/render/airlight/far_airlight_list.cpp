@@ -67,7 +67,8 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
   list.depth = depth_of(enough);
 
   double left_out_far = 0;
-  for (int section = 1; section < FarAirlightList::kSections; ++section) {
+  const int sections = atmosphere.profile.count > 0 ? 1 : FarAirlightList::kSections;  // in layers the last may be near
+  for (int section = 1; section < sections; ++section) {
     for (Candidate& each : candidates) each.most = most_from(each, list.section_begin(section));
     std::ranges::sort(candidates, {}, &Candidate::most);
     for (Candidate& each : candidates) {

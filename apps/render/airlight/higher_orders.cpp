@@ -47,7 +47,7 @@ HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> co
     return beam_of_cone.emplace_back(cone, add(beam_moments(cone))).second;
   };
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    sources.emplace_back(lights.effective_intensity(i), beam_of(i), mean_cosine(atmosphere.phase), 0);
+    sources.emplace_back(source_intensity(lights.lights()[i].light, atmosphere), beam_of(i), mean_cosine(atmosphere.phase), 0);
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "render/gpu/light_uniforms.h"
 #include "render/gpu/render_shaders.h"
+#include "render/gpu/uniform.h"
 
 namespace litfog::render {
 
@@ -33,7 +34,7 @@ void Compositor::begin_panes() {
 void Compositor::end_panes() { glDisable(GL_BLEND); }
 
 void Compositor::add_airlight(const Framebuffer& framebuffer, const gl::TextureName& airlight, const FarAirlight& far,
-                              const SeenRanges& seen, bool has_panes) const {
+                              const SeenRanges& seen, const View& view, bool has_panes) const {
   pass_.begin();
   glEnable(GL_BLEND);
   glBlendFunc(has_panes ? GL_DST_ALPHA : GL_ONE, GL_ONE);
@@ -43,6 +44,9 @@ void Compositor::add_airlight(const Framebuffer& framebuffer, const gl::TextureN
   textures.bind("airlight", airlight, GL_TEXTURE_RECTANGLE);
   seen.bind(textures);
   far.bind(program_, textures);
+  set_uniform(program_, "eye", view.eye);
+  set_uniform(program_, "direction_from_clip", view.direction_from_clip);
+  set_uniform(program_, "pixel_size", 2.0f / glm::vec2(view.size));
   glDrawArrays(GL_TRIANGLES, 0, 3);
   glDisable(GL_BLEND);
 }

@@ -8,6 +8,7 @@
 #include "render/airlight/seen_ranges.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/texel_target.h"
+#include "render/plan/view.h"
 
 namespace litfog::render {
 
@@ -37,7 +38,7 @@ class Compositor {
   /// airlight  within the lights' extents: AirlightPyramid::airlight()
   /// far       beyond the lights' extents
   void add_airlight(const Framebuffer& framebuffer, const gl::TextureName& airlight, const FarAirlight& far,
-                    const SeenRanges& seen, bool has_panes) const;
+                    const SeenRanges& seen, const View& view, bool has_panes) const;
 
  private:
   gl::Program program_;

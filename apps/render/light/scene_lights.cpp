@@ -79,7 +79,6 @@ SceneLights::SceneLights(const scene::Scene& scene, const RenderSettings& settin
     }
     if (!is_carried) local_count_ = lights_.size();
   }
-  if (settings.scattering == Scattering::all) updater_.solve_effective_intensities();
   updater_.set_fog(Fog{});
   instances_.assign(updater_.instances().begin(), updater_.instances().end());
   for (std::size_t i = 0; i < lights_.size(); ++i) {

@@ -80,11 +80,6 @@ class SceneLights {
   /// The tables that shaders read: instance i is light i.
   std::span<const FogLightKind> kinds() const { return updater_.kinds(); }
   std::span<const FogLightInstance> instances() const { return instances_; }
-  /// Effective intensity of a light in the fog, m^2. Only where all orders of scattering are drawn.
-  float effective_intensity(std::size_t light) const {
-    assert(!updater_.effective_intensities().empty());
-    return updater_.effective_intensities()[std::size_t(instances_[light].position_kind.w)];
-  }
   /// The light of an instance.
   PackedLight packed(std::size_t index) const;
   /// For each light with a cookie, the cookie and its y axis in world space. The instance's color.w is the index

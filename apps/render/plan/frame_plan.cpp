@@ -52,7 +52,7 @@ void FramePlanner::set_atmosphere(const Atmosphere& atmosphere, bool is_fog_lit,
                             ? HigherOrders(lights_, scene_.cookies, atmosphere_)
                             : HigherOrders();
   scattered_bound_ = has_scattered_light(settings_) && plan_.higher_orders.table
-                         ? ScatteredLightBound(lights_, plan_.higher_orders, atmosphere_.fog.density)
+                         ? ScatteredLightBound(lights_, plan_.higher_orders, atmosphere_.thickest_fog().density)
                          : ScatteredLightBound();
   forget();
 }

@@ -125,5 +125,12 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
     first += run;
   } while (first < 4);
   airlight.rgb += sum / shown_exposure;
-  if (pixel_step > 1) gain.rgb += gain_at(light_index, light, direction, mean_of(seen));
+  if (pixel_step == 1) return;
+  gain.rgb += gain_at(light_index, light, direction, mean_of(seen));
+#ifdef HAS_HIGHER_ORDERS
+  LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, mean_of(seen));
+  if (litfog_airlight_is_layered(air)) {
+    gain.rgb += light.color_intensity.rgb * (litfog_airlight_unit() * layered_peak_gain(light_index, air));
+  }
+#endif
 }

@@ -42,6 +42,8 @@ void main() {
   int first_slab = place.y / row_count * slabs_at_once;
   vec3 direction = pixel_direction(ivec2(place.x, place.y % row_count) * far_step);
   LitfogPhase phase = litfog_fog_phase();
+  float begins[slabs_at_once + 1];
+  for (int i = 0; i <= slabs_at_once; ++i) begins[i] = slab_begin(first_slab + i, eye.y, direction.y);
   vec3 slabs[slabs_at_once];
   for (int i = 0; i < slabs_at_once; ++i) slabs[i] = vec3(0.0);
   for (int i = 0; i < light_count; ++i) {
@@ -60,36 +62,48 @@ void main() {
 #ifdef HAS_HIGHER_ORDERS
     LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, litfog_far);
     vec4 source = texelFetch(scattering_sources, index);
-    float before = source.x * litfog_scattered_beyond(air, slab_begin(first_slab), far_peak_angle);
-    float last = source.x * litfog_scattered_beyond(air, slab_begin(first_slab + slabs_at_once), far_peak_angle);
-    if (max(max(lamp.r, lamp.g), lamp.b) * (before - last) < faint) {
-      // It is spread over the slabs as the fog before them dims light.
-      float middle = slab_begin(first_slab + slabs_at_once / 2);
-      vec3 left = lamp * ((before - last) * scattered_share(source, air, middle));
-      float begin = exp(-density * slab_begin(first_slab));
-      float whole = max(begin - exp(-density * slab_begin(first_slab + slabs_at_once)), 1.0e-30);
-      for (int slab = 0; slab < slabs_at_once; ++slab) {
-        float end = exp(-density * slab_begin(first_slab + slab + 1));
-        slabs[slab] += left * ((begin - end) / whole);
-        begin = end;
+    if (litfog_airlight_is_layered(air)) {
+      LitfogAirlight beside = beside_peak(air);
+      LitfogSlab slab_of_fog = litfog_slab(air);
+      for (int part = 0; part < slabs_at_once * slab_parts; ++part) {
+        int slab = part / slab_parts;
+        float begin = begins[slab];
+        float size = (begins[slab + 1] - begin) / float(slab_parts);
+        begin += float(part % slab_parts) * size;
+        slabs[slab] += lamp * scattered_in_layers(source, beside, slab_of_fog, litfog_layered_stretch(air, slab_of_fog, begin, begin + size));
       }
     } else {
-      for (int part = 0; part < slabs_at_once * slab_parts; ++part) {
-        int slab = first_slab + part / slab_parts;
-        float begin = slab_begin(slab);
-        float size = (slab_begin(slab + 1) - begin) / float(slab_parts);
-        begin += float(part % slab_parts) * size;
-        float next = source.x * litfog_scattered_beyond(air, begin + size, far_peak_angle);
-        slabs[part / slab_parts] += lamp * (scattered_share(source, air, begin + 0.5 * size) * (before - next));
-        before = next;
+      float before = source.x * litfog_scattered_beyond(air, begins[0], far_peak_angle);
+      float last = source.x * litfog_scattered_beyond(air, begins[slabs_at_once], far_peak_angle);
+      if (max(max(lamp.r, lamp.g), lamp.b) * (before - last) < faint) {
+        // It is spread over the slabs as the fog before them dims light.
+        float middle = begins[slabs_at_once / 2];
+        vec3 left = lamp * ((before - last) * scattered_share(source, air, middle));
+        float begin = exp(-density * begins[0]);
+        float whole = max(begin - exp(-density * begins[slabs_at_once]), 1.0e-30);
+        for (int slab = 0; slab < slabs_at_once; ++slab) {
+          float end = exp(-density * begins[slab + 1]);
+          slabs[slab] += left * ((begin - end) / whole);
+          begin = end;
+        }
+      } else {
+        for (int part = 0; part < slabs_at_once * slab_parts; ++part) {
+          int slab = part / slab_parts;
+          float begin = begins[slab];
+          float size = (begins[slab + 1] - begin) / float(slab_parts);
+          begin += float(part % slab_parts) * size;
+          float next = source.x * litfog_scattered_beyond(air, begin + size, far_peak_angle);
+          slabs[slab] += lamp * (scattered_share(source, air, begin + 0.5 * size) * (before - next));
+          before = next;
+        }
       }
     }
     if (!is_single) continue;
 #endif
-    float left = left_by_layers(light.attenuation.w, eye, eye + slab_begin(first_slab) * direction);
+    float left = left_by_layers(light.attenuation.w, eye, eye + begins[0] * direction);
     for (int slab = 0; slab < slabs_at_once; ++slab) {
-      float begin = slab_begin(first_slab + slab);
-      float end = slab_begin(first_slab + slab + 1);
+      float begin = begins[slab];
+      float end = begins[slab + 1];
       float seen = 0.5 * (begin + end);
       float weight;  // of the slab, but for the lamp's leg in layers
       if (litfog_knot_count() > 0) {

@@ -3,6 +3,7 @@
 // all lights is too coarse for the peak around a lamp, so that in it smaller angles count as far_peak_angle, and the
 // rest is drawn light by light. Needs far_peak.glsl before it.
 
+#include "litfog/shaders/layered_scattering.glsl"
 #include "litfog/shaders/multiple_scattering.glsl"
 
 uniform samplerBuffer scattering_sources;  // HigherOrders::sources
@@ -19,9 +20,68 @@ float peak_beyond(LitfogAirlight air, float before) {
          (litfog_scattered_from(air, -before, 0.0) - litfog_scattered_from(air, -before, far_peak_angle));
 }
 
+// What a stretch of a ray adds in layers.
+float scattered_in_layers(vec4 source, LitfogAirlight air, LitfogSlab slab, LitfogLayeredStretch stretch) {
+  float scattered = source.x * litfog_scattered_in_stretch(air, slab, stretch, source.z);
+  return scattered > 0.0 ? scattered * scattered_share(source, litfog_in_endless_fog(air, stretch), stretch.place) : 0.0;
+}
+
+// The glow of a lamp in layers is as fine as they are thick. In the sum over all lights, rays that pass the lamp near are
+// taken farther away, and its beam, which is fine, too, is turned across them. Near is within far_peak_angle of it, or up
+// to most_flattened times as far where the eye looks into layers from outside: the flatter it looks, the farther apart
+// rays enter them.
+const float most_flattened = 4.0;  // AirlightBound::kMostFlattened
+
+LitfogAirlight beside_peak(LitfogAirlight air) {
+  float rise = abs(air.height - air.approach * air.rise - air.lamp_height);
+  float flattened = litfog_airlight_density(air, -air.approach) > 0.0 ? 1.0 : clamp(length(vec2(air.approach, air.offset)) / max(rise, 1.0e-6), 1.0, most_flattened);
+  float near = flattened * air.approach / far_peak_cotangent;
+  if (air.offset >= near) return air;
+  float square = air.offset * air.offset / (near * near);
+  air.offset = 0.5 * near * (1.0 + square);
+  air.axis_offset *= square;
+  air.axis_slope *= square;
+  return air;
+}
+
+float layered_peak(vec4 source, LitfogAirlight air) {
+  LitfogAirlight beside = beside_peak(air);
+  float first = litfog_airlight_start_of_layers(air);
+  float last = min(air.ray_length, litfog_airlight_end_of_layers(air, 12.0));
+  if (air.offset >= beside.offset || !(last > first)) return 0.0;
+  LitfogSlab slab = litfog_slab(air);
+  const int pieces = 16;
+  float width = max(air.offset, 1.0e-3 * air.approach);
+  float start = asinh((first - air.approach) / width);
+  float step = (asinh((last - air.approach) / width) - start) / float(pieces);
+  float sum = 0.0;
+  float from = first;
+  for (int i = 1; i <= pieces; ++i) {
+    float to = i < pieces ? clamp(air.approach + width * sinh(start + step * float(i)), from, last) : last;
+    LitfogLayeredStretch stretch = litfog_layered_stretch(air, slab, from, to);
+    sum += scattered_in_layers(source, air, slab, stretch) - scattered_in_layers(source, beside, slab, stretch);
+    from = to;
+  }
+  return max(sum, 0.0);
+}
+
+// The derivative of the peak by the fog's opacity, at the end of the ray: of a short stretch there.
+float layered_peak_gain(int light_index, LitfogAirlight air) {
+  vec4 source = texelFetch(scattering_sources, light_index);
+  LitfogAirlight beside = beside_peak(air);
+  LitfogSlab slab = litfog_slab(air);
+  LitfogLayeredStretch stretch = litfog_layered_stretch(air, slab, 0.99 * air.ray_length, air.ray_length);
+  float eye_height = litfog_airlight_height(air, -air.approach);
+  float from = litfog_fog_opacity(eye_height, eye_height + air.rise * stretch.from, stretch.from, 1.0);
+  float to = litfog_fog_opacity(eye_height, eye_height + air.rise * stretch.to, stretch.to, 1.0);
+  if (air.offset >= beside.offset || to - from < 1.0e-4) return 0.0;
+  return max(scattered_in_layers(source, air, slab, stretch) - scattered_in_layers(source, beside, slab, stretch), 0.0) / (to - from);
+}
+
 // The peak that the sum over all lights lacks: there is none but before the lamp. To be multiplied with the light's colour
 // and litfog_airlight_unit().
 float higher_orders_peak(int light_index, LitfogAirlight air) {
+  if (litfog_airlight_is_layered(air)) return layered_peak(texelFetch(scattering_sources, light_index), air);
   float first = air.offset * far_peak_cotangent;  // where the angle is that of the peak
   float end = max(air.approach - air.ray_length, first);
   if (!(air.approach > end)) return 0.0;

@@ -2,6 +2,7 @@
 // The light that fog scatters to a texel of the grid of render::ScatteredLight, of all lamps.
 
 #include "litfog/shaders/light_buffer.glsl"
+#include "litfog/shaders/layered_scattering.glsl"
 #include "litfog/shaders/multiple_scattering.glsl"
 #include "pixel_direction.glsl"
 
@@ -21,7 +22,8 @@ void main() {
   float seen = grid_depth * part * part * part;
   // Nearer lamps than a third of a texel count as so far away, because what they light is smaller than a texel.
   float least_range = 0.33 * max(seen * length(pixel_size), 3.0 * grid_depth * part * part / float(slice_count));
-  vec3 position = eye + seen * pixel_direction(ivec2(gl_FragCoord.xy));
+  vec3 direction = pixel_direction(ivec2(gl_FragCoord.xy));
+  vec3 position = eye + seen * direction;
   all = vec4(0.0);
   flow = vec4(0.0);
   for (int i = 0; i < light_count; ++i) {
@@ -36,8 +38,17 @@ void main() {
     float cosine = clamp(dot(away, axis), -1.0, 1.0);
     vec3 turned = away * cosine - axis;
     turned *= inversesqrt(max(dot(turned, turned), 1.0e-12));
-    LitfogScatteredLight scattered = litfog_scattered_light(litfog_light_fog_density(light) * range, range, source.y, cosine);
-    vec3 color = source.x * light.color_intensity.rgb;
+    LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, seen);
+    float density = air.density;
+    float kept = 1.0;
+    if (litfog_airlight_is_layered(air)) {
+      LitfogSlab slab = litfog_slab(air);
+      LitfogEndlessFog fog = litfog_endless_fog(air, slab, position.y);
+      density = fog.density;
+      kept = litfog_kept_in_slab(slab, fog, length(away.xz) * range, source.z);
+    }
+    LitfogScatteredLight scattered = litfog_scattered_light(density * range, range, source.y, cosine);
+    vec3 color = source.x * kept * light.color_intensity.rgb;
     float luminance = dot(color, vec3(0.2126, 0.7152, 0.0722));  // Rec. 709
     all.rgb += color * scattered.all;
     flow += luminance * vec4(scattered.radial * away + scattered.turned * turned, scattered.all);

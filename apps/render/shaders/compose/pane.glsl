@@ -34,7 +34,7 @@ vec3 airlight_before(vec3 position) {
       sum += light.color_intensity.rgb * (litfog_airlight_unit() * far_peak(air));
     }
   }
-  return sum + far_airlight_at(gl_FragCoord.xy, range);
+  return sum + far_airlight_at(gl_FragCoord.xy, range, eye.y, direction.y);
 }
 
 // The pane's colour, premultiplied by its opacity.
