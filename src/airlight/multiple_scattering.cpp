@@ -128,6 +128,7 @@ struct ScatteringText : Text<double, NoCookie> {
 
   static double acos(double x) { return std::acos(x); }
   static double atan(double y, double x) { return std::atan2(y, x); }
+  static double pow(double x, double y) { return std::pow(x, y); }
   static double sin(double x) { return std::sin(x); }
   static double cos(double x) { return std::cos(x); }
 

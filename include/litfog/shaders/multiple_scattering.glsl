@@ -134,14 +134,14 @@ LITFOG_REAL litfog_beam_share(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL
   LITFOG_REAL mean_cosine = min(even * flow / scattered.share, LITFOG_REAL(0.95));
   LITFOG_REAL cone = scattered.share * litfog_scattered_lobe(mean_cosine, clamp(ahead, LITFOG_REAL(-1.0), LITFOG_REAL(1.0)));
   LITFOG_REAL point = litfog_scattered_lobe(even, -away);
-  // Some of the light has hardly been turned yet. It lights the peak of the phase function, and a cone has it inside alone.
-  LITFOG_REAL straight = scattered.forward * scattered.forward * scattered.forward *
-                         litfog_phase(air.phase, LITFOG_REAL(1.0) + away);
-  if (straight > point) {
-    LITFOG_REAL inside = litfog_scattered_beam(beam, LITFOG_REAL(0.0), column).share;
-    cone = max(cone, straight * inside * inside);
-    point = straight;
-  }
+  // Some of the light has hardly been turned yet. It lights the peak of the phase function. A cone has it inside alone,
+  // with an edge that is the sharper the less a scattering turns light. The numbers are fitted to random walks.
+  LITFOG_REAL unturned = litfog_second_weight(air.phase);
+  LITFOG_REAL straight = (LITFOG_REAL(0.6) * phase_cosine * phase_cosine + unturned) * scattered.forward *
+                         scattered.forward * litfog_phase(air.phase, LITFOG_REAL(1.0) + away);
+  LITFOG_REAL inside = litfog_scattered_beam(beam, LITFOG_REAL(0.0), column).share;
+  cone += straight * pow(inside, LITFOG_REAL(1.2) + LITFOG_REAL(1.6) * unturned);
+  point += straight;
   return min(cone / point, LITFOG_REAL(1.0));
 }
 

@@ -69,6 +69,12 @@ LITFOG_FUNCTION LITFOG_REAL litfog_phase(LitfogPhase phase, LITFOG_REAL versine)
   return litfog_phase_lobe(phase.first, versine) + litfog_phase_lobe(phase.second, versine);
 }
 
+// The weight of a second lobe with alpha = 0: of droplets, that which hardly turns light.
+LITFOG_FUNCTION LITFOG_REAL litfog_second_weight(LitfogPhase phase) {
+  LITFOG_REAL rest = sqrt(phase.second.base);
+  return phase.second.scale / (rest * (LITFOG_REAL(2.0) - rest));
+}
+
 // An upper bound between two versines, lowest <= highest: each lobe falls and then rises with the versine, or does only
 // one of the two, so that its largest value lies at an end. For g >= 0 the derivative by the cosine c has the sign of
 // -alpha g c^2 + 2 alpha (1 + g^2) c + 3 g, whose larger root is at least (1 + g^2) / g >= 2: within [-1, 1] it changes
