@@ -98,7 +98,7 @@ inline constexpr double kScatteringMaxError = 0.2;
 /// in droplets. In droplets a beam that points away from the eye may glow several times too brightly.
 inline constexpr double kConeScatteringMedianError = 0.02;
 inline constexpr double kConeScatteringTypicalError = 0.1;
-inline constexpr double kDropletConeScatteringMedianError = 0.2;
+inline constexpr double kDropletConeScatteringMedianError = 0.25;
 inline constexpr double kDropletConeScatteringTypicalError = 0.6;
 
 /// The same of point lamps in layers of 0.1 to 10 optical depths, in them or beside. In thinner layers, M of a lamp several
