@@ -165,15 +165,15 @@ TEST(MaterialCatalogue, UnknownNameIsAnError) {
 /// Luminance (linear) that looks right for each surface, by eye.
 TEST(MaterialCatalogue, MeanAlbedosAreInTheirRanges) {
   const std::map<std::string, std::pair<double, double>> ranges{
-      {"asphalt", {0.09, 0.14}},     {"runway", {0.09, 0.14}},         {"road_paint", {0.58, 0.68}},
-      {"grass", {0.09, 0.20}},       {"gravel", {0.18, 0.30}},         {"soil", {0.06, 0.12}},
-      {"concrete", {0.30, 0.40}},    {"concrete_slabs", {0.30, 0.40}}, {"brick", {0.15, 0.25}},
-      {"plaster", {0.50, 0.60}},     {"vault_plaster", {0.50, 0.65}},  {"wood_floor", {0.12, 0.25}},
-      {"wood", {0.12, 0.25}},        {"roof_tiles", {0.08, 0.20}},     {"stone", {0.20, 0.35}},
-      {"galvanised", {0.40, 0.50}},  {"bark", {0.06, 0.12}},           {"needles", {0.06, 0.10}},
-      {"leaves", {0.08, 0.15}},      {"glass", {0.01, 0.04}},          {"rubber", {0.02, 0.05}},
-      {"paint_white", {0.60, 0.70}}, {"paint_grey", {0.10, 0.20}},     {"paint_black", {0.02, 0.04}},
-      {"sign_white", {0.70, 0.80}},  {"corrugated", {0.25, 0.40}}};
+      {"asphalt", {0.09, 0.14}},        {"runway", {0.09, 0.14}},      {"road_paint", {0.58, 0.68}},
+      {"grass", {0.09, 0.20}},          {"gravel", {0.18, 0.30}},      {"concrete", {0.30, 0.40}},
+      {"concrete_slabs", {0.30, 0.40}}, {"brick", {0.15, 0.25}},       {"plaster", {0.50, 0.60}},
+      {"vault_plaster", {0.50, 0.65}},  {"wood_floor", {0.12, 0.25}},  {"wood", {0.12, 0.25}},
+      {"roof_tiles", {0.08, 0.20}},     {"stone", {0.20, 0.35}},       {"galvanised", {0.40, 0.50}},
+      {"bark", {0.06, 0.12}},           {"needles", {0.06, 0.10}},     {"leaves", {0.08, 0.15}},
+      {"glass", {0.01, 0.04}},          {"rubber", {0.02, 0.05}},      {"paint_white", {0.60, 0.70}},
+      {"paint_grey", {0.10, 0.20}},     {"paint_black", {0.02, 0.04}}, {"sign_white", {0.70, 0.80}},
+      {"corrugated", {0.25, 0.40}}};
   for (const auto& [name, range] : ranges) {
     const double mean = mean_luminance(make_material(name));
     EXPECT_GE(mean, range.first) << name;

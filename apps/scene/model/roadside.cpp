@@ -56,31 +56,6 @@ Model make_fence(const Fence& fence) {
   return model;
 }
 
-Model make_guard_rail(const GuardRail& rail) {
-  Model model;
-  Mesh& steel = part(model, "galvanised");
-  const float hand = rail.row.offset_m > 0.0f ? -1.0f : 1.0f;  // towards the path
-  // The W beam of EN 1317 barriers: 310 mm high, 80 mm deep, middle at 0.6 m.
-  const std::array<glm::vec2, 10> profile{
-      glm::vec2(0.005f, -0.155f), glm::vec2(0.02f, -0.14f), glm::vec2(0.08f, -0.105f), glm::vec2(0.08f, -0.055f),
-      glm::vec2(0.0f, -0.02f),    glm::vec2(0.0f, 0.02f),   glm::vec2(0.08f, 0.055f),  glm::vec2(0.08f, 0.105f),
-      glm::vec2(0.02f, 0.14f),    glm::vec2(0.005f, 0.155f)};
-  std::vector<glm::vec2> front;
-  for (const glm::vec2& p : profile) front.emplace_back(hand * (p.x + 0.09f), p.y + 0.6f);
-  if (hand < 0.0f) std::reverse(front.begin(), front.end());
-  const std::vector<glm::vec2> back(front.rbegin(), front.rend());
-  const std::vector<glm::vec3> line =
-      rail.row.path.line(0.0f, rail.row.path.length_m, rail.row.spacing_m, rail.row.offset_m, 0.0f);
-  append(steel, make_sweep(front, line));
-  append(steel, make_sweep(back, line));
-  for (const float along : stations(rail.row)) {
-    const glm::mat4 at = place(rail.row.path.point(along, rail.row.offset_m), rail.row.path.yaw(along));
-    append(steel, make_box({0.06f, 0.75f + kSunk_m, 0.12f}), glm::translate(at, glm::vec3(0.0f, -kSunk_m, 0.0f)));
-    append(steel, make_box({0.06f, 0.16f, 0.1f}), glm::translate(at, glm::vec3(hand * 0.06f, 0.52f, 0.0f)));
-  }
-  return model;
-}
-
 Model make_delineator(const Delineator& delineator) {
   Model model;
   const float h = delineator.height_m;

@@ -35,14 +35,6 @@ struct Fence {
 };
 Model make_fence(const Fence& fence);
 
-/// A steel barrier with its W-shaped beam towards the path's middle.
-struct GuardRail {
-  RoadsideRow row{.offset_m = 4.6f, .spacing_m = 2.0f, .path = {}};
-
-  void describe(ParameterList& list) { row.describe(list, 1); }
-};
-Model make_guard_rail(const GuardRail& rail);
-
 /// A marker post: white, slanted top, black band, reflectors on both faces (+Z, towards the driver, and -Z).
 struct Delineator {
   float height_m = 1.0f;

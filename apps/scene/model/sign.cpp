@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/model/sign.h"
 
-#include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -23,12 +22,6 @@ std::vector<glm::vec2> regular(int corners, float radius, float first_turn) {
     outline.emplace_back(radius * std::cos(turn), radius * std::sin(turn));
   }
   return outline;
-}
-
-std::vector<glm::vec2> rectangle(float width, float height) {
-  const float x = 0.5f * width;
-  const float y = 0.5f * height;
-  return {{-x, -y}, {x, -y}, {x, y}, {-x, y}};
 }
 
 void add_flat(Mesh& mesh, std::span<const glm::vec2> outline, const glm::mat4& at, int layer) {
@@ -87,47 +80,6 @@ Model make_warning_sign(const Sign& sign) {
       {-0.025f * s, -0.06f * s}, {0.025f * s, -0.06f * s}, {0.045f * s, 0.2f * s}, {-0.045f * s, 0.2f * s}};
   add_flat(mark, bar, at, 3);
   add_flat(mark, regular(12, 0.035f * s, 0.0f), glm::translate(at, glm::vec3(0.0f, -0.12f * s, 0.0f)), 3);
-  return model;
-}
-
-Model make_direction_sign(const Sign& sign) {
-  Model model;
-  const float width = sign.size_m;
-  const float height = 0.75f * sign.size_m;
-  const float rim = 0.05f * sign.size_m;
-  const glm::mat4 at = add_sign(
-      model, sign, {rectangle(width, height), rectangle(width - rim, height - rim), "sign_white", "sign_blue"});
-  Mesh& white = part(model, "sign_white");
-  const float s = sign.size_m;
-  add_flat(white, rectangle(0.09f * s, 0.36f * s), glm::translate(at, glm::vec3(0.0f, -0.09f * s, 0.0f)), 3);
-  const glm::vec2 head[] = {{-0.15f * s, 0.08f * s}, {0.15f * s, 0.08f * s}, {0.0f, 0.28f * s}};
-  add_flat(white, head, at, 3);
-  return model;
-}
-
-Model make_chevron_sign(const ChevronSign& chevron) {
-  Model model;
-  const Sign& sign = chevron.sign;
-  const float width = sign.size_m;
-  const float height = 0.6f * sign.size_m;
-  const glm::mat4 at = add_sign(
-      model, sign, {rectangle(width, height), rectangle(0.97f * width, 0.96f * height), "sign_white", "sign_white"});
-  Mesh& red = part(model, "sign_red");
-  const float reach = 0.42f * height;  // from the ends to the point
-  const float hand = chevron.left != 0 ? -1.0f : 1.0f;
-  for (int i = 0; i < 3; ++i) {
-    const float x = (float(i) - 1.0f) * 0.29f * width - 0.22f * reach;
-    const float stroke = 0.14f * width;
-    const float half = 0.44f * height;
-    for (const float side : {-1.0f, 1.0f}) {
-      std::vector<glm::vec2> arm{{hand * (x - 0.5f * stroke), side * half},
-                                 {hand * (x + 0.5f * stroke), side * half},
-                                 {hand * (x + 0.5f * stroke + reach * 0.5f), 0.0f},
-                                 {hand * (x - 0.5f * stroke + reach * 0.5f), 0.0f}};
-      if (side * hand > 0.0f) std::reverse(arm.begin(), arm.end());
-      add_flat(red, arm, at, 3);
-    }
-  }
   return model;
 }
 

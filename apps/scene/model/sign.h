@@ -21,9 +21,6 @@ struct Sign {
 /// Triangle, red border, an exclamation mark.
 Model make_warning_sign(const Sign& sign);
 
-/// Rectangle, blue with a white border and arrow.
-Model make_direction_sign(const Sign& sign);
-
 /// Round, red border, a number.
 struct SpeedSign {
   int number = 50;
@@ -35,17 +32,5 @@ struct SpeedSign {
   }
 };
 Model make_speed_sign(const SpeedSign& speed);
-
-/// Red and white chevrons that point into a bend.
-struct ChevronSign {
-  int left = 0;  ///< 1: the bend goes left
-  Sign sign;
-
-  void describe(ParameterList& list) {
-    list.add("left", left, 0, 1);
-    sign.describe(list);
-  }
-};
-Model make_chevron_sign(const ChevronSign& chevron);
 
 }  // namespace litfog::scene

@@ -15,7 +15,6 @@ void paint_runway(Canvas& canvas);
 void paint_road_paint(Canvas& canvas);
 void paint_grass(Canvas& canvas);
 void paint_gravel(Canvas& canvas);
-void paint_soil(Canvas& canvas);
 void paint_concrete_slabs(Canvas& canvas);
 void paint_water(Canvas& canvas);
 

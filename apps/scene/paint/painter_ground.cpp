@@ -193,23 +193,6 @@ void paint_gravel(Canvas& canvas) {
   }
 }
 
-void paint_soil(Canvas& canvas) {
-  // Furrows along v, broken into clods.
-  const Field wander = make_octaves(canvas.size, 2, 3, 61);
-  const Field clods = make_octaves(canvas.size, 16, 5, 62, 0.65f);
-  for (int y = 0; y < canvas.size; ++y) {
-    for (int x = 0; x < canvas.size; ++x) {
-      const std::size_t texel = canvas.height.texel(x, y);
-      const float phase = 8.0f * (float(x) / float(canvas.size) + 0.02f * wander[texel]);
-      const float furrow = std::sin(glm::two_pi<float>() * phase);
-      const float height = 0.5f * furrow + 0.9f * clods[texel];
-      canvas.height[texel] = 0.035f * height;
-      canvas.color[texel] = glm::vec3(0.11f, 0.085f, 0.06f) * (1.0f + 0.45f * height);
-      canvas.gloss[texel] = 0.2f + 0.1f * clods[texel];
-    }
-  }
-}
-
 void paint_concrete_slabs(Canvas& canvas) {
   paint_concrete(canvas);
   // Four slabs a tile with tarred joints.
