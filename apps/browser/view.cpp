@@ -96,8 +96,7 @@ View::Target::Target(glm::ivec2 target_size) : size(target_size) {
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   render::bind_texture(render::kUploadUnit, color);
   glTexStorage2D(GL_TEXTURE_2D, 1, GL_RGBA16F, size.x, size.y);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  render::set_filter(GL_TEXTURE_2D, GL_NEAREST);
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, color.id(), 0);
   if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE) {
     throw gl::Unsupported("this browser's WebGL 2 draws no pictures of floats");

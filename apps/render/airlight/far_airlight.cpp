@@ -28,8 +28,7 @@ void FarAirlight::set_size(glm::ivec2 size) {
   bind_texture(kUploadUnit, slabs_, GL_TEXTURE_2D_ARRAY);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_RGBA32F, size.x, size.y * FarAirlightList::kSections, kSlabsAtOnce, 0,
                GL_RGBA, GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D_ARRAY, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  set_filter(GL_TEXTURE_2D_ARRAY, GL_NEAREST);
   glBindFramebuffer(GL_FRAMEBUFFER, slabs_framebuffer_.id());
   GLenum targets[kSlabsAtOnce];
   for (int i = 0; i < kSlabsAtOnce; ++i) {
@@ -40,10 +39,7 @@ void FarAirlight::set_size(glm::ivec2 size) {
   check_float_framebuffer();
   bind_texture(kUploadUnit, sums_);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, size.x, size.y * (kSlabs + 1), 0, GL_RGBA, GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  interpolate_within_edges(GL_TEXTURE_2D);
   glBindFramebuffer(GL_FRAMEBUFFER, sums_framebuffer_.id());
   glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, sums_.id(), 0);
   check_float_framebuffer();

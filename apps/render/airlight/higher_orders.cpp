@@ -13,17 +13,6 @@
 
 namespace litfog::render {
 
-namespace {
-
-void set_clamped_and_linear() {
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
-}
-
-}  // namespace
-
 HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere)
     : table(make_scattering_table(atmosphere)) {
   const ThinBeams thin = make_thin_beams(atmosphere, *table);
@@ -56,7 +45,7 @@ void HigherOrderTextures::set(const HigherOrders& orders) {
   if (!orders.table || orders.sources.empty()) return;
   sources_.emplace(orders.sources.data(), std::span(orders.sources).size_bytes(), BufferTexture::Texel::float4);
   bind_texture(kUploadUnit, beams_);
-  set_clamped_and_linear();
+  interpolate_within_edges(GL_TEXTURE_2D);
   GLint largest = 0;
   glGetIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
   const int count = int(orders.beams.size());
@@ -69,7 +58,7 @@ void HigherOrderTextures::set(const HigherOrders& orders) {
                     kBeamDepths, GL_RGBA, GL_FLOAT, orders.beams[std::size_t(i)].texels.data());
   }
   bind_texture(kUploadUnit, table_);
-  set_clamped_and_linear();
+  interpolate_within_edges(GL_TEXTURE_2D);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, kScatteringAngles, kScatteringDepths, 0, GL_RED, GL_FLOAT,
                orders.table->logs.data());
 }

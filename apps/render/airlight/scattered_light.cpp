@@ -19,11 +19,7 @@ constexpr int kFewLamps = 8;
 void make_grid(const gl::TextureName& texture, glm::ivec3 size) {
   bind_texture(kUploadUnit, texture, GL_TEXTURE_3D);
   glTexImage3D(GL_TEXTURE_3D, 0, GL_RGBA32F, size.x, size.y, size.z, 0, GL_RGBA, GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(GL_TEXTURE_3D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  for (const auto axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
-    glTexParameteri(GL_TEXTURE_3D, axis, GL_CLAMP_TO_EDGE);
-  }
+  interpolate_within_edges(GL_TEXTURE_3D);
 }
 
 }  // namespace

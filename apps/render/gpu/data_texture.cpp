@@ -11,19 +11,6 @@
 #include "render/gpu/texture_unit.h"
 
 namespace litfog::render {
-namespace {
-
-/// Sets linear filtering clamped at the edge for the bound texture, which has one level.
-void interpolate_within(GLenum target) {
-  for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}, GLenum{GL_TEXTURE_WRAP_R}}) {
-    glTexParameteri(target, wrap, GL_CLAMP_TO_EDGE);
-  }
-  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
-  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
-  glTexParameteri(target, GL_TEXTURE_MAX_LEVEL, 0);
-}
-
-}  // namespace
 
 LookupTexture::LookupTexture(Shape shape, int size, const std::vector<std::uint16_t>& texels) {
   struct Kind {
@@ -65,7 +52,7 @@ LookupTexture::LookupTexture(Shape shape, int size, const std::vector<std::uint1
       break;
   }
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  interpolate_within(target_);
+  interpolate_within_edges(target_);
 }
 
 void LookupTexture::bind(unsigned unit) const { bind_texture(unit, name_, target_); }
@@ -84,7 +71,7 @@ LayeredTexture::LayeredTexture(int size, int layers, const std::vector<std::uint
   glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
   glTexImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R16, size, size, layers, 0, GL_RED, GL_UNSIGNED_SHORT, texels.data());
   glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
-  interpolate_within(GL_TEXTURE_2D_ARRAY);
+  interpolate_within_edges(GL_TEXTURE_2D_ARRAY);
 }
 
 void LayeredTexture::bind(unsigned unit) const { bind_texture(unit, name_, GL_TEXTURE_2D_ARRAY); }

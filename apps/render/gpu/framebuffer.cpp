@@ -42,8 +42,7 @@ Framebuffer::Framebuffer(int width, int height, Passes passes, int samples)
     const auto [layout, type] = is_summed ? std::pair{GL_DEPTH_STENCIL, GL_FLOAT_32_UNSIGNED_INT_24_8_REV}
                                           : std::pair{GL_DEPTH_COMPONENT, GL_FLOAT};
     glTexImage2D(depth_target_, 0, GLint(depth), width, height, 0, GLenum(layout), GLenum(type), nullptr);
-    glTexParameteri(depth_target_, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(depth_target_, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+    set_filter(depth_target_, GL_NEAREST);
   } else {
     glTexImage2DMultisample(depth_target_, samples, depth, width, height, GL_TRUE);
   }

@@ -29,8 +29,7 @@ inline void attach_texels(GLenum attachment, const gl::TextureName& texture, glm
   const bool is_integer = format == GL_RGBA32UI;
   glTexImage2D(GL_TEXTURE_RECTANGLE, 0, format, size.x, size.y, 0, is_integer ? GL_RGBA_INTEGER : GL_RGBA,
                is_integer ? GL_UNSIGNED_INT : GL_FLOAT, nullptr);
-  glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_RECTANGLE, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  set_filter(GL_TEXTURE_RECTANGLE, GL_NEAREST);
   glFramebufferTexture2D(GL_FRAMEBUFFER, attachment, GL_TEXTURE_RECTANGLE, texture.id(), 0);
 }
 

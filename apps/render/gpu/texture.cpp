@@ -57,8 +57,7 @@ Texture::Texture(const scene::Texels& texels, Encoding encoding) {
 Texture::Texture(const glm::vec4& texel) {
   bind_texture(kUploadUnit, name_);
   glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, 1, 1, 0, GL_RGBA, GL_FLOAT, glm::value_ptr(texel));
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+  set_filter(GL_TEXTURE_2D, GL_NEAREST);
 }
 
 void Texture::bind(unsigned unit) const { bind_texture(unit, name_); }

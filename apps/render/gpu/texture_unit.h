@@ -38,4 +38,18 @@ inline void bind_texture(unsigned unit, const gl::TextureName& texture, GLenum t
   glBindTexture(target, texture.id());
 }
 
+/// Sets the filter of the texture that is bound to a target.
+inline void set_filter(GLenum target, GLint filter) {
+  glTexParameteri(target, GL_TEXTURE_MIN_FILTER, filter);
+  glTexParameteri(target, GL_TEXTURE_MAG_FILTER, filter);
+}
+
+/// Lets the texture that is bound to a target be interpolated up to its edges, without repetition.
+inline void interpolate_within_edges(GLenum target) {
+  for (const GLenum wrap : {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}, GLenum{GL_TEXTURE_WRAP_R}}) {
+    glTexParameteri(target, wrap, GL_CLAMP_TO_EDGE);
+  }
+  set_filter(target, GL_LINEAR);
+}
+
 }  // namespace litfog::render
