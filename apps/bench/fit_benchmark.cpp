@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/fit_benchmark.h"
+#include "bench/benchmarks.h"
 
 #include <ceres/ceres.h>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/glow_figure.h"
+#include "bench/benchmarks.h"
 
 #include <fmt/format.h>
 
@@ -11,12 +11,12 @@
 #include <utility>
 #include <vector>
 
-#include "measure/inverse_square_lamp.h"
 #include "bench/glow_rival.h"
 #include "bench/stopwatch.h"
 #include "command/progress.h"
 #include "litfog/airlight.h"
 #include "litfog/multiple_scattering.h"
+#include "measure/inverse_square_lamp.h"
 #include "measure/radial_scattering.h"
 #include "measure/scattering_walk.h"
 

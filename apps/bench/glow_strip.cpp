@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/glow_strip.h"
+#include "bench/benchmarks.h"
 
 #include <fmt/format.h>
 
@@ -10,12 +10,12 @@
 #include <numbers>
 #include <vector>
 
-#include "measure/inverse_square_lamp.h"
 #include "command/progress.h"
 #include "drawing/lettering.h"
 #include "drawing/picture_file.h"
 #include "litfog/airlight.h"
 #include "litfog/multiple_scattering.h"
+#include "measure/inverse_square_lamp.h"
 #include "measure/radial_scattering.h"
 #include "render/display.h"
 

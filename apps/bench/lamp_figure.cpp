@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/lamp_figure.h"
+#include "bench/benchmarks.h"
 
 #include <fmt/format.h>
 

@@ -11,21 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "bench/airlight_benchmark.h"
-#include "bench/city_benchmark.h"
-#include "bench/fit_benchmark.h"
-#include "bench/glow_figure.h"
-#include "bench/glow_strip.h"
-#include "bench/lamp_figure.h"
+#include "bench/benchmarks.h"
 #include "bench/machine.h"
-#include "bench/map_benchmark.h"
-#include "bench/rejection_benchmark.h"
-#include "bench/render_benchmark.h"
-#include "bench/result.h"
-#include "bench/scattering_table.h"
 #include "bench/simd_target.h"
-#include "bench/solve_benchmark.h"
-#include "bench/update_benchmark.h"
 #include "command/command.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/map_benchmark.h"
+#include "bench/benchmarks.h"
 
 #include <vector>
 

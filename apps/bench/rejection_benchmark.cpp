@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/rejection_benchmark.h"
+#include "bench/benchmarks.h"
 
 #include <epoxy/gl.h>
 #include <fmt/format.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/sampled_batch.h"
+#include "bench/rival.h"
 
 #include <algorithm>
 #include <cassert>

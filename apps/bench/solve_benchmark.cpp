@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "bench/solve_benchmark.h"
+#include "bench/benchmarks.h"
 
 #include <fmt/format.h>
 
@@ -15,7 +15,6 @@
 
 #include "bench/light_mix.h"
 #include "bench/rival.h"
-#include "bench/sampled_batch.h"
 #include "bench/stopwatch.h"
 #include "command/progress.h"
 #include "litfog/batch.h"
