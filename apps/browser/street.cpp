@@ -5,13 +5,13 @@
 #include <utility>
 
 #include "scene/model/block.h"
-#include "scene/model/broadleaf.h"
 #include "scene/model/car.h"
 #include "scene/model/house.h"
 #include "scene/model/person.h"
 #include "scene/model/road.h"
 #include "scene/model/roadside.h"
 #include "scene/model/terrain.h"
+#include "scene/model/tree.h"
 
 namespace litfog::browser {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 
 #include "scene/file/scene_file.h"
-#include "scene/model/apartment_house.h"
+#include "scene/model/house.h"
 
 namespace litfog::test {
 using namespace scene;

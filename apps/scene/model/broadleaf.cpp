@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/broadleaf.h"
+#include "scene/model/tree.h"
 
 #include <algorithm>
 #include <array>

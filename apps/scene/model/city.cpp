@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "scene/hash_random.h"
-#include "scene/model/apartment_house.h"
+#include "scene/model/house.h"
 #include "scene/model/model_catalogue.h"
 #include "scene/model/primitive.h"
 

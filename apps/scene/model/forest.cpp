@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/forest.h"
+#include "scene/model/band.h"
 
 #include <algorithm>
 #include <cmath>
 #include <glm/gtc/constants.hpp>
 #include <vector>
 
-#include "scene/model/broadleaf.h"
-#include "scene/model/conifer.h"
+#include "scene/model/tree.h"
 
 namespace litfog::scene {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/furniture.h"
+#include "scene/model/room.h"
 
 #include <algorithm>
 #include <glm/gtc/constants.hpp>

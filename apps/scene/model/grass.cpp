@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/grass.h"
+#include "scene/model/band.h"
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>

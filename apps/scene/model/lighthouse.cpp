@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/lighthouse.h"
+#include "scene/model/coast.h"
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>

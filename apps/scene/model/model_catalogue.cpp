@@ -7,26 +7,18 @@
 #include <stdexcept>
 
 #include "scene/model/airfield.h"
-#include "scene/model/apartment_house.h"
+#include "scene/model/band.h"
 #include "scene/model/block.h"
-#include "scene/model/broadleaf.h"
 #include "scene/model/car.h"
 #include "scene/model/coast.h"
-#include "scene/model/conifer.h"
-#include "scene/model/forest.h"
-#include "scene/model/furniture.h"
-#include "scene/model/grass.h"
 #include "scene/model/house.h"
-#include "scene/model/lighthouse.h"
 #include "scene/model/person.h"
 #include "scene/model/road.h"
 #include "scene/model/roadside.h"
-#include "scene/model/rock.h"
 #include "scene/model/room.h"
-#include "scene/model/runway.h"
-#include "scene/model/sign.h"
 #include "scene/model/terrain.h"
 #include "scene/model/tessellation.h"
+#include "scene/model/tree.h"
 
 namespace litfog::scene {
 namespace {

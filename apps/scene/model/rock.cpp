@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/rock.h"
+#include "scene/model/band.h"
 
 #include <algorithm>
 #include <cmath>

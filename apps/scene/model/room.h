@@ -26,4 +26,55 @@ struct Room {
 };
 Model make_room(const Room& room);
 
+struct Crate {
+  float size_m = 0.8f;
+
+  void describe(ParameterList& list) { list.add("size_m", size_m, 0.2, 3); }
+};
+Model make_crate(const Crate& crate);
+
+struct Barrel {
+  float height_m = 0.9f;
+
+  void describe(ParameterList& list) { list.add("height_m", height_m, 0.3, 3); }
+};
+Model make_barrel(const Barrel& barrel);
+
+struct DiningTable {
+  float length_m = 1.8f;
+  float width_m = 0.85f;
+  float height_m = 0.75f;
+
+  void describe(ParameterList& list) {
+    list.add("length_m", length_m, 0.5, 5);
+    list.add("width_m", width_m, 0.4, 2);
+    list.add("height_m", height_m, 0.4, 1.2);
+  }
+};
+Model make_dining_table(const DiningTable& table);
+
+/// Its back is at +Z: a person on it looks along -Z.
+struct Chair {
+  float seat_m = 0.45f;
+
+  void describe(ParameterList& list) { list.add("seat_m", seat_m, 0.3, 0.8); }
+};
+Model make_chair(const Chair& chair);
+
+/// An open shelf with books, its front at +Z, its back at z = 0.
+struct Shelf {
+  float width_m = 1.0f;
+  float height_m = 1.9f;
+  float books = 0.8f;  ///< fraction of each board that is filled
+  int seed = 1;
+
+  void describe(ParameterList& list) {
+    list.add("width_m", width_m, 0.4, 4);
+    list.add("height_m", height_m, 0.6, 3);
+    list.add("books", books, 0, 1);
+    list.add("seed", seed, 0, kMaxSeed);
+  }
+};
+Model make_shelf(const Shelf& shelf);
+
 }  // namespace litfog::scene

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/runway.h"
+#include "scene/model/airfield.h"
 
 #include <algorithm>
 #include <cmath>

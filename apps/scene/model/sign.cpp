@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/sign.h"
+#include "scene/model/roadside.h"
 
 #include <cmath>
 #include <glm/gtc/constants.hpp>
