@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fit/advice.h"
+#include "fit/verdict.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,6 @@
 
 #include "files/angle_deg.h"
 #include "fit/two_lights.h"
-#include "fit/verdict.h"
 #include "litfog/color_temperature.h"
 #include "text/shown_number.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fit/beam_data.h"
+#include "fit/light_fit.h"
 
 #include <array>
 #include <numbers>

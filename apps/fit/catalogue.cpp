@@ -10,8 +10,7 @@
 
 #include "command/html_text.h"
 #include "files/whole_file.h"
-#include "fit/fit_figure.h"
-#include "fit/fog_picture.h"
+#include "fit/light_pictures.h"
 #include "litfog/files/output_error.h"
 #include "text/shown_number.h"
 

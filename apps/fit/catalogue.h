@@ -13,8 +13,8 @@ namespace litfog::fit {
 ///
 ///     index.html            opens from the disk; needs nothing but the files beside it; its own script sorts the table
 ///     lamps/NAME.json       the light
-///     lamps/NAME.svg        its fit (fit_figure.h)
-///     lamps/NAME.png        its beam in fog (fog_picture.h)
+///     lamps/NAME.svg        its fit (light_pictures.h)
+///     lamps/NAME.png        its beam in fog (likewise)
 class Catalogue {
  public:
   /// The folder is made if it is not there. Throws OutputError where it cannot be, and where the page or a lamp's file

@@ -11,8 +11,8 @@
 
 #include "command/printable.h"
 #include "command/table.h"
-#include "files/cone_json.h"
-#include "fit/beam_data.h"
+#include "files/light_json.h"
+#include "fit/light_fit.h"
 #include "fit/verdict.h"
 #include "litfog/color_temperature.h"
 #include "text/shown_number.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fit/fit_figure.h"
+#include "fit/light_pictures.h"
 
 #include <fmt/format.h>
 

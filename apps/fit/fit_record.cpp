@@ -3,7 +3,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "files/cone_json.h"
+#include "files/light_json.h"
 
 namespace litfog::fit {
 

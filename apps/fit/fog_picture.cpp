@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fit/fog_picture.h"
+#include "fit/light_pictures.h"
 
 #include <png.h>
 

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <numeric>
 
-#include "files/cone_json.h"
+#include "files/light_json.h"
 #include "litfog/color_temperature.h"
 #include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/elliptical_beam.h"

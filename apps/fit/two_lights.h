@@ -3,7 +3,6 @@
 
 #include <optional>
 
-#include "fit/beam_data.h"
 #include "fit/light_fit.h"
 
 namespace litfog::fit {

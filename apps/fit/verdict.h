@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
+#include "fit/light_fit.h"
 #include "fit/two_lights.h"
 
 namespace litfog::fit {
@@ -37,5 +40,13 @@ const char* name_of(Grade grade);
 
 /// The limits, for the help: a heading and a line an error.
 std::string grade_table();
+
+/// What the author of a light may want to know or change, a sentence each, the gravest first. A change of the command
+/// line is fitted before it is advised: it is named with the error that it leaves, where that is smaller.
+///
+/// choices  those of the fit
+/// read     the fit's target by other choices
+std::vector<std::string> advice_on(const LightFit& fit, const FitChoices& choices,
+                                   const std::function<LightTarget(const FitChoices&)>& read);
 
 }  // namespace litfog::fit

@@ -3,10 +3,19 @@
 
 #include <array>
 #include <string>
+#include <vector>
 
+#include "command/plot.h"
+#include "fit/light_fit.h"
 #include "litfog/light.h"
 
 namespace litfog::fit {
+
+/// Targets and fits, and below them the errors, over range and over angle; and the beam as a polar diagram, above its
+/// spread over the turn. Of several lights, one in each colour, the profile that each fit chose.
+///
+/// fits  at least one
+command::Figure fit_figure(const std::vector<const LightFit*>& fits);
 
 /// Visibilities of the three views of a light in fog, metres.
 inline constexpr std::array<double, 3> kFogPictureVisibilities{1000, 200, 50};
