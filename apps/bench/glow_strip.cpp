@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -11,6 +10,7 @@
 #include <vector>
 
 #include "command/progress.h"
+#include "drawing/contact_sheet.h"
 #include "drawing/lettering.h"
 #include "drawing/picture_file.h"
 #include "litfog/airlight.h"
@@ -44,13 +44,6 @@ render::Picture draw_around(int width, int height, const std::function<double(do
     }
   }
   return picture;
-}
-
-void paste(render::Picture& sheet, int left, int top, const render::Picture& picture) {
-  const auto row = std::ptrdiff_t(3 * picture.width);
-  for (int y = 0; y < picture.height; ++y) {
-    std::copy_n(picture.rgb.begin() + y * row, row, sheet.rgb.begin() + 3 * ((top + y) * sheet.width + left));
-  }
 }
 
 }  // namespace
@@ -93,7 +86,8 @@ std::string draw_glow_strip(bool quick) {
     const int left = margin + int(column) * (width + margin);
     const render::Exposure exposure{.ev = render::auto_exposure(pictures.back())};
     for (std::size_t row = 0; row < pictures.size(); ++row) {
-      paste(sheet, left, line + int(row) * (height + margin), render::displayed(pictures[row], {.exposure = exposure}));
+      drawing::paste(sheet, left, line + int(row) * (height + margin),
+                     render::displayed(pictures[row], {.exposure = exposure}));
     }
     drawing::draw_text(sheet, left, line - 5,
                        drawing::fitted_text(fmt::format("{} m", kVisibilities[column]), letters, width), letters, ink);

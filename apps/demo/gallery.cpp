@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/gallery.h"
+#include "demo/jobs.h"
 
 #include <fmt/format.h>
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/light_list.h"
+#include "demo/jobs.h"
 
 #include <fmt/format.h>
 
 #include <vector>
 
-#include "files/cone_json.h"
+#include "files/light_json.h"
 
 namespace litfog::demo {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/window_job.h"
+#include "demo/jobs.h"
 
 #include <dlfcn.h>
 #include <unistd.h>

@@ -18,16 +18,16 @@ constexpr std::array<float, 3> kGround{0.012f, 0.012f, 0.014f};
 constexpr glm::vec3 kInk{0.75f, 0.75f, 0.72f};
 constexpr glm::vec3 kFaintInk{0.33f, 0.33f, 0.31f};
 
-void paste(render::Picture& sheet, int left, int top, const render::Picture& cell) {
-  const std::size_t row = std::size_t(cell.width) * 3;
-  for (int y = 0; y < cell.height; ++y) {
+}  // namespace
+
+void paste(render::Picture& sheet, int left, int top, const render::Picture& picture) {
+  const std::size_t row = std::size_t(picture.width) * 3;
+  for (int y = 0; y < picture.height; ++y) {
     const std::size_t to = std::size_t(top + y) * std::size_t(sheet.width) + std::size_t(left);
-    std::copy_n(cell.rgb.begin() + std::ptrdiff_t(std::size_t(y) * row), row,
+    std::copy_n(picture.rgb.begin() + std::ptrdiff_t(std::size_t(y) * row), row,
                 sheet.rgb.begin() + std::ptrdiff_t(3 * to));
   }
 }
-
-}  // namespace
 
 render::Picture fitted_to_cell(const render::Picture& picture) {
   const double scale = std::min(double(kSheetCellWidth) / picture.width, double(kSheetCellHeight) / picture.height);

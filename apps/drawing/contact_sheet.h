@@ -27,4 +27,7 @@ render::Picture make_contact_sheet(const std::vector<std::vector<SheetEntry>>& r
 /// display shows, else a bright lamp would spread over its neighbours.
 render::Picture fitted_to_cell(const render::Picture& picture);
 
+/// Copies a picture into a larger one, its upper left corner at a pixel of it.
+void paste(render::Picture& sheet, int left, int top, const render::Picture& picture);
+
 }  // namespace litfog::drawing

@@ -12,7 +12,7 @@
 #include <iterator>
 
 #include "command/temporary_directory.h"
-#include "demo/compare/settings_page.h"
+#include "demo/compare/pages.h"
 #include "drawing/picture_file.h"
 
 namespace litfog::test {

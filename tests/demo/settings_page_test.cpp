@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/compare/settings_page.h"
+#include "demo/compare/pages.h"
 
 #include <gtest/gtest.h>
 

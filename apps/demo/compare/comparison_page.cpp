@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/compare/comparison_page.h"
+#include "demo/compare/pages.h"
 
 #include <fmt/format.h>
 

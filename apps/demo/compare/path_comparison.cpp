@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/compare/path_comparison.h"
+#include "demo/compare/comparison.h"
 
 #include <fmt/format.h>
 
@@ -9,14 +9,14 @@
 
 #include "command/progress.h"
 #include "command/standard_output.h"
-#include "demo/compare/comparison_page.h"
+#include "demo/compare/pages.h"
 #include "drawing/contact_sheet.h"
 #include "drawing/drawing.h"
 #include "drawing/heat_map.h"
 #include "drawing/picture_folder.h"
 #include "files/whole_file.h"
-#include "measure/comparison.h"
 #include "measure/frame_times.h"
+#include "measure/picture_error.h"
 #include "scene/scene.h"
 
 namespace litfog::demo {

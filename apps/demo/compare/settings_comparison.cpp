@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "demo/compare/settings_comparison.h"
+#include "demo/compare/comparison.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +13,7 @@
 #include "command/command.h"
 #include "command/progress.h"
 #include "command/standard_output.h"
-#include "demo/compare/settings_page.h"
+#include "demo/compare/pages.h"
 #include "drawing/drawing.h"
 #include "drawing/heat_map.h"
 #include "drawing/picture_file.h"
