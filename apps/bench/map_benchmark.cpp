@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "litfog/gl/headless_context.h"
-#include "measure/comparison.h"
+#include "measure/picture_error.h"
 #include "measure/quantile.h"
 #include "render/light/light_map.h"
 #include "render/renderer.h"

@@ -15,8 +15,8 @@
 #include "bench/plain_renderer.h"
 #include "command/progress.h"
 #include "litfog/gl/headless_context.h"
-#include "measure/comparison.h"
 #include "measure/frame_times.h"
+#include "measure/picture_error.h"
 #include "scene/file/scene_file.h"
 
 namespace litfog::bench {

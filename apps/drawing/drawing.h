@@ -7,8 +7,8 @@
 #include "command/progress.h"
 #include "drawing/drawing_options.h"
 #include "litfog/fog.h"
-#include "measure/comparison.h"
 #include "measure/frame_times.h"
+#include "measure/picture_error.h"
 #include "render/renderer.h"
 #include "scene/scene.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "measure/jump_watch.h"
+#include "measure/path_model.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,7 +8,7 @@
 #include "litfog/color_temperature.h"
 #include "litfog/directional_airlight.h"
 #include "litfog/photometry/cookie_airlight.h"
-#include "measure/airlight_bound.h"
+#include "measure/reference_light.h"
 #include "render/light/hidden_range.h"
 #include "render/plan/fog_top.h"
 

@@ -131,4 +131,58 @@ class PathModel {
   glm::dvec3 forward_;  // unit: the camera's axis
 };
 
+/// Finds the samples whose side of a jump of the model is decided by the rounding of floats: at a light's extent, at
+/// the edge of a cosine cone, where a surface with highlights is just turned away, and where the fog seen from above
+/// ends at the horizon; or by the texels of a shadow map, near the edge of a shadow (ReferenceShadows::kEdgeTexels).
+/// Jumps too small to be seen do not count.
+class JumpWatch {
+ public:
+  /// model  has to outlive this
+  explicit JumpWatch(const PathModel& model) : model_(model) {}
+
+  /// Whether the light that a surface sends to the eye jumps.
+  bool is_at_jump(const SurfacePoint& point) const;
+  /// Whether the fog before a position jumps.
+  bool is_at_jump(const Veil& veil, const glm::dvec3& position) const;
+  /// Whether the fog before the sky jumps in a direction, whose height decides the side of the horizon. The fog's top
+  /// is `fog_above_eye` metres above the eye.
+  bool is_at_fog_horizon(double fog_above_eye, const glm::dvec3& direction) const;
+
+ private:
+  bool is_at_jump(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const;
+  bool is_at_shadow_edge(const SurfacePoint& point, const ReferenceLight& light, const LightRay& ray) const;
+
+  const PathModel& model_;
+};
+
+/// The range of colours that a path with light maps may give a surface. A look-up is between the light's values at the
+/// texels around it, so the colour is between two that the formulas give for a light slightly nearer or farther, and
+/// slightly nearer to its axis or farther from it.
+class LookupBounds {
+ public:
+  /// model  of a path with light maps; has to outlive this
+  LookupBounds(const PathModel& model, const render::PaperSettings& settings)
+      : model_(model), cone_maps_(settings.cone_maps), texel_(2.0 / (settings.map_size - 1)) {}
+
+  struct Interval {
+    glm::dvec3 least;
+    glm::dvec3 most;
+  };
+  /// The light that a surface sends to the eye, before fog.
+  Interval surface_color(const SurfacePoint& point) const;
+  /// The colour of the fog before a position, by a path whose maps light it (LightingPath::has_mapped_fog).
+  Interval fog_color(const glm::dvec3& position) const;
+
+ private:
+  struct Fractions {
+    double least;
+    double most;
+  };
+  Fractions emitted(const ReferenceLight& light, const glm::dvec3& direction) const;
+
+  const PathModel& model_;
+  render::ConeMaps cone_maps_;
+  double texel_;  // size in a map's coordinates, which run from -1 to 1
+};
+
 }  // namespace litfog::measure

@@ -9,12 +9,11 @@
 #include <limits>
 #include <span>
 
+#include "measure/reference_picture.h"
 #include "scene/srgb.h"
 
 namespace litfog::measure {
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Linear light, exposed, in steps of PictureError.
 double steps(float linear) {
@@ -47,7 +46,7 @@ PictureError picture_error(const render::Picture& drawn, const ReferencePicture&
     double beyond = 0;
     if (!is_finite(drawn, pixel) || !is_finite(exact, pixel) || !is_finite(reference.least, pixel) ||
         !is_finite(reference.most, pixel)) {
-      largest = beyond = kInfinity;
+      largest = beyond = std::numeric_limits<double>::infinity();
     } else if (reference.is_at_jump[pixel]) {
       error.pixels.push_back(-1);
       ++error.excluded;
@@ -73,6 +72,15 @@ PictureError picture_error(const render::Picture& drawn, const ReferencePicture&
 std::string error_in_words(const PictureError& error) {
   const std::string words = fmt::format("largest error {:.3g}, mean {:.3g} of 1/255", error.largest, error.mean);
   return error.excluded > 0 ? fmt::format("{}; pixels excluded: {}", words, error.excluded) : words;
+}
+
+Comparison compare_with_reference(render::Renderer& renderer, const Progress& progress) {
+  render::Picture drawn = renderer.read();
+  renderer.draw(render::LightPoints::off);
+  const render::Picture shading = renderer.read();
+  ReferencePicture reference = shade_reference(renderer, progress);
+  PictureError error = picture_error(shading, reference, renderer.exposure());
+  return {std::move(drawn), std::move(reference.picture), std::move(error)};
 }
 
 }  // namespace litfog::measure

@@ -5,8 +5,10 @@
 #include <string>
 #include <vector>
 
+#include "measure/progress.h"
 #include "measure/reference_picture.h"
 #include "render/picture.h"
+#include "render/renderer.h"
 
 namespace litfog::measure {
 
@@ -34,5 +36,18 @@ PictureError picture_error(const render::Picture& drawn, const ReferencePicture&
 
 /// "largest error 0.139, mean 0.0126 of 1/255", and how many pixels are excluded if any are.
 std::string error_in_words(const PictureError& error);
+
+/// A frame beside what its lighting path's plain formulas give in double. The points of lamps are left out of the
+/// reference and of the error: every path draws them alike, and no path shades them.
+struct Comparison {
+  render::Picture drawn;  ///< with the lamps' points
+  render::Picture reference;
+  PictureError error;  ///< error of the frame without the lamps' points, at the renderer's exposure
+};
+
+/// Compares the frame that a renderer has drawn last with its reference.
+///
+/// throws  what shade_reference throws
+Comparison compare_with_reference(render::Renderer& renderer, const Progress& progress = {});
 
 }  // namespace litfog::measure

@@ -9,8 +9,6 @@
 #include <span>
 #include <vector>
 
-#include "measure/jump_watch.h"
-#include "measure/lookup_bounds.h"
 #include "measure/night_sky.h"
 #include "measure/path_model.h"
 #include "model/parallel.h"

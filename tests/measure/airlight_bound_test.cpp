@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "measure/airlight_bound.h"
+#include "measure/reference_light.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "measure/comparison.h"
+#include "measure/picture_error.h"
 
 #include <algorithm>
 
