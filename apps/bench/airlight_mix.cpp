@@ -35,21 +35,8 @@ test::AirlightCase draw_case(AirlightMix mix, test::Random& random, FogMode mode
 }  // namespace
 
 const char* name_of(AirlightMix mix) {
-  switch (mix) {
-    case AirlightMix::point:
-      return "point";
-    case AirlightMix::ahead:
-      return "g-0.85";
-    case AirlightMix::droplets:
-      return "droplets";
-    case AirlightMix::layers:
-      return "layers";
-    case AirlightMix::any:
-      return "any";
-    case AirlightMix::inverse_square:
-      break;
-  }
-  return "inverse-square";
+  constexpr const char* kNames[] = {"point", "g-0.85", "droplets", "layers", "any", "inverse-square"};
+  return kNames[int(mix)];
 }
 
 std::vector<test::AirlightCase> draw_airlight_mix(AirlightMix mix, FogMode mode, LampLeg lamp_leg, std::size_t count,

@@ -13,7 +13,6 @@
 
 #include "bench/benchmarks.h"
 #include "bench/machine.h"
-#include "bench/simd_target.h"
 #include "command/command.h"
 #include "command/option_rule.h"
 #include "command/output_files.h"
