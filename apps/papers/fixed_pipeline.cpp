@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "papers/fixed_pipeline.h"
+#include "papers/opengl_pictures.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>

@@ -3,8 +3,8 @@
 #include <utility>
 
 #include "papers/figure.h"
+#include "papers/opengl_pictures.h"
 #include "papers/paper_programs.h"
-#include "papers/stencil_shadow.h"
 #include "render/light/light_map.h"
 #include "scene/file/scene_file.h"
 #include "scene/paint/cookie_pattern.h"

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "papers/figure.h"
-#include "papers/fixed_pipeline.h"
+#include "papers/opengl_pictures.h"
 #include "render/surface/polygon_sort.h"
 #include "scene/file/scene_file.h"
 #include "scene/paint/field.h"

@@ -3,8 +3,6 @@
 
 #include <array>
 
-#include "papers/paper_shaders.h"
-
 namespace litfog::papers {
 
 using render::Blend;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <span>
+
+#include "litfog/gl/shader_library.h"
 #include "render/plan/lighting_path.h"
 
 namespace litfog::papers {
@@ -19,5 +22,8 @@ const render::LightingPath& cg_with_two_colors();
 const render::LightingPath& frazier_in_two_passes();
 /// Frazier's path `radial` with bump mapping, gloss and highlights, one of his improvements.
 const render::LightingPath& frazier_with_bumps();
+
+/// The files of apps/papers/shaders, embedded.
+std::span<const gl::ShaderSource> paper_shaders();
 
 }  // namespace litfog::papers

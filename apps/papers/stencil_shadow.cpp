@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "papers/stencil_shadow.h"
+#include "papers/opengl_pictures.h"
 
 #include <epoxy/gl.h>
 
@@ -8,7 +8,7 @@
 
 #include "litfog/gl/check_errors.h"
 #include "litfog/gl/program.h"
-#include "papers/paper_shaders.h"
+#include "papers/paper_programs.h"
 #include "render/gpu/depth.h"
 #include "render/gpu/framebuffer.h"
 #include "render/gpu/uniform.h"

@@ -10,8 +10,7 @@
 #include <vector>
 
 #include "gl/gl_test.h"
-#include "papers/fixed_pipeline.h"
-#include "papers/stencil_shadow.h"
+#include "papers/opengl_pictures.h"
 #include "render/pixel.h"
 #include "render/renderer.h"
 #include "render/wall.h"
