@@ -17,7 +17,7 @@
 #include "render/light/light_point.h"
 #include "render/light/light_threshold.h"
 #include "render/plan/fog_top.h"
-#include "render/plan/frustum.h"
+#include "render/plan/view.h"
 
 namespace litfog::browser {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/plan/frustum.h"
+#include "render/plan/view.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/light/octaves.h"
+#include "render/light/point_list.h"
 
 #include <gtest/gtest.h>
 

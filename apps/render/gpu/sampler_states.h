@@ -10,7 +10,8 @@ namespace litfog::render {
 
 /// Gives each sampler of fragment shaders a fixed state. Mesa does not set the state of a buffer texture's sampler but
 /// leaves that of an earlier draw, and its software rasteriser compiles a shader anew for each state that it meets.
-/// Needs a current GL context.
+/// Without these states a scene's first picture took 6 to 25 % more of the processor's time on llvmpipe (room,
+/// headlights with shafts, street). Needs a current GL context.
 class SamplerStates {
  public:
   SamplerStates();

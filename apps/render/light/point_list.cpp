@@ -7,7 +7,6 @@
 #include "litfog/attenuation.h"
 #include "litfog/color_temperature.h"
 #include "litfog/cone.h"
-#include "render/light/octaves.h"
 
 namespace litfog::render {
 namespace {

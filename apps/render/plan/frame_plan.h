@@ -15,7 +15,7 @@
 #include "render/light/point_list.h"
 #include "render/light/scene_lights.h"
 #include "render/plan/frame_counts.h"
-#include "render/plan/frustum.h"
+#include "render/plan/view.h"
 #include "render/render_settings.h"
 #include "render/surface/surface_list.h"
 #include "scene/scene.h"

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <array>
 #include <glm/glm.hpp>
 
 #include "scene/camera.h"
+#include "scene/mesh.h"
 
 namespace litfog::render {
 
@@ -27,5 +29,13 @@ double pixels_per_radian(const scene::Camera& camera, int height);
 /// camera         relative to SceneLights::origin()
 /// top_above_eye  metres, of the atmosphere
 View view_of(const scene::Camera& camera, glm::ivec2 size, double top_above_eye);
+
+/// The planes around a camera's view: normal and offset; dot(normal, p) + offset >= 0 inside.
+using Frustum = std::array<glm::vec4, 6>;
+/// Also valid for clip volumes whose depths begin at 0, where the near plane is conservative.
+Frustum make_frustum(const glm::mat4& clip_from_world);
+
+/// Whether the camera can see anything of a box. Never false where it can; may be true where it cannot.
+bool can_see(const Frustum& frustum, const scene::Bounds& box);
 
 }  // namespace litfog::render
