@@ -4,12 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "scene/model/block.h"
-#include "scene/model/car.h"
 #include "scene/model/house.h"
-#include "scene/model/person.h"
 #include "scene/model/road.h"
 #include "scene/model/roadside.h"
+#include "scene/model/street_life.h"
 #include "scene/model/terrain.h"
 #include "scene/model/tree.h"
 

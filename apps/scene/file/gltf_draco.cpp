@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/file/gltf_draco.h"
+#include "scene/file/gltf_compression.h"
 
 #include <draco/compression/decode.h>
 #include <fmt/format.h>

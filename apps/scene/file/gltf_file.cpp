@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "litfog/input_error.h"
-#include "scene/file/gltf_meshopt.h"
+#include "scene/file/gltf_compression.h"
 #include "scene/file/gltf_uri.h"
 #include "scene/file/gltf_value.h"
 #include "text/file_text.h"

@@ -11,7 +11,7 @@
 #include <utility>
 
 #include "model/float_limit.h"
-#include "scene/file/gltf_draco.h"
+#include "scene/file/gltf_compression.h"
 #include "scene/file/gltf_value.h"
 #include "scene/scene.h"
 

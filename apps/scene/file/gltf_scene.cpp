@@ -21,10 +21,10 @@
 #include "litfog/fog_light_block.h"
 #include "litfog/input_error.h"
 #include "model/float_limit.h"
+#include "scene/file/gltf_compression.h"
 #include "scene/file/gltf_file.h"
 #include "scene/file/gltf_material.h"
 #include "scene/file/gltf_mesh.h"
-#include "scene/file/gltf_meshopt.h"
 #include "scene/file/gltf_uri.h"
 #include "scene/file/gltf_value.h"
 

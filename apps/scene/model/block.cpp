@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/block.h"
+#include "scene/model/house.h"
 
 #include <algorithm>
 

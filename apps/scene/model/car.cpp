@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/car.h"
+#include "scene/model/street_life.h"
 
 #include <algorithm>
 #include <array>

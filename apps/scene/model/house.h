@@ -60,4 +60,20 @@ struct BrightPane {
 /// The bright panes of the model with the same parameters.
 std::vector<BrightPane> bright_panes(const ApartmentHouse& house);
 
+/// A block of concrete.
+struct Block {
+  float width_m = 1.0f;
+  float height_m = 1.0f;
+  float depth_m = 1.0f;
+  float bevel_m = 0.0f;  ///< cut off its edges, at most 0.45 of the smallest side
+
+  void describe(ParameterList& list) {
+    list.add("width_m", width_m, 0.01, 1000);
+    list.add("height_m", height_m, 0.01, 1000);
+    list.add("depth_m", depth_m, 0.01, 1000);
+    list.add("bevel_m", bevel_m, 0, 1);
+  }
+};
+Model make_block(const Block& block);
+
 }  // namespace litfog::scene

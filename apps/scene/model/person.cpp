@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "scene/model/person.h"
+#include "scene/model/street_life.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "scene/model/car.h"
 #include "scene/model/primitive.h"
 
 namespace litfog::scene {

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
+#include "files/json_document.h"
 #include "scene/file/gltf_file.h"
 
 namespace litfog::scene {
@@ -32,5 +35,17 @@ class GltfDraco {
   JsonValue attributes_;
   std::unique_ptr<const Mesh> mesh_;
 };
+
+using files::JsonValue;
+
+inline constexpr std::string_view kMeshopt = "EXT_meshopt_compression";
+
+/// The bytes of a buffer view that is compressed.
+///
+/// compression  the view's extension
+/// bytes        the compressed ones
+/// max_bytes    more decoded ones are an error
+/// throws       InputError
+std::string decode_meshopt(const JsonValue& compression, std::string_view bytes, std::size_t max_bytes);
 
 }  // namespace litfog::scene
