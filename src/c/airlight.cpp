@@ -4,7 +4,6 @@
 #include <array>
 
 #include "c/call.h"
-#include "c/column.h"
 #include "c/convert.h"
 #include "c/layout.h"
 #include "litfog/directional_airlight.h"
@@ -122,7 +121,6 @@ litfog_status litfog_scattered_light(const litfog_placed_light* light, const lit
 
 litfog_status litfog_irradiance(const litfog_diffuse_light* light, const double* normal, double* irradiance) {
   return c::call([&] {
-    c::at(irradiance, "irradiance") =
-        litfog::irradiance(c::to_cpp(c::at(light, "light")), c::vector(normal, "normal"));
+    c::at(irradiance, "irradiance") = litfog::irradiance(c::to_cpp(c::at(light, "light")), c::vector(normal, "normal"));
   });
 }

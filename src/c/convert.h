@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "litfog/airlight.h"
 #include "litfog/atmosphere.h"
@@ -33,5 +35,18 @@ litfog_light light_of(const Light& light);
 
 /// Three numbers.
 glm::dvec3 vector(const double* numbers, const char* name);
+
+/// A caller's array, by its name in errors.
+struct Column {
+  template <typename T>
+  Column(std::span<T> values, const char* its_name) : bytes(std::as_bytes(values)), name(its_name) {}
+
+  std::span<const std::byte> bytes;
+  const char* name;
+};
+
+/// Throws std::invalid_argument where a column of results shares memory with another or with one that is read.
+/// Allocates only then.
+void expect_apart(std::span<const Column> results, std::span<const Column> read);
 
 }  // namespace litfog::c

@@ -6,7 +6,6 @@
 #include <string>
 
 #include "c/call.h"
-#include "c/column.h"
 #include "c/convert.h"
 #include "c/layout.h"
 #include "litfog/airlight.h"

@@ -7,7 +7,6 @@
 #include <filesystem>
 #include <string_view>
 
-#include "files/cone_json.h"
 #include "files/json_document.h"
 #include "files/json_text.h"
 #include "files/light_json.h"

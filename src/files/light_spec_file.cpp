@@ -11,7 +11,6 @@
 #include <utility>
 
 #include "files/angle_deg.h"
-#include "files/cone_json.h"
 #include "files/json_document.h"
 #include "files/light_json.h"
 #include "litfog/color_temperature.h"

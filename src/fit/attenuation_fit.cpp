@@ -10,7 +10,6 @@
 
 #include "fit/attenuation_reach.h"
 #include "fit/falloff.h"
-#include "fit/falloff_search.h"
 #include "litfog/light.h"
 #include "model/float_limit.h"
 #include "text/shown_number.h"

@@ -7,7 +7,6 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "fit/cone_assessment.h"
 #include "fit/cone_point.h"
 #include "fit/cone_search.h"
 #include "fit/cosine_profile.h"

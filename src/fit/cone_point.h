@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "litfog/cone.h"
 #include "litfog/fit/cone_fit.h"
 #include "model/versine.h"
 
@@ -38,5 +39,10 @@ struct ConePoint {
 
 /// A target's samples and stated angles, by increasing angle.
 std::vector<ConePoint> points_of(const ConeTarget& target);
+
+/// The figures of a cone against its target, whatever found it.
+///
+/// points  points_of(target)
+ConeProfileFit assess(const Cone& cone, const std::vector<ConePoint>& points, const ConeTarget& target);
 
 }  // namespace litfog

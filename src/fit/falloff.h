@@ -133,4 +133,14 @@ std::optional<std::array<double, 9>> covariance_of(const Falloff& falloff, const
 /// residuals were 1 to one side.
 double kkt_residual(const Falloff& falloff, const Coefficients& q);
 
+/// A minimum, and how far it is known to be global.
+struct FalloffSearch {
+  FalloffMinimum minimum;
+  std::size_t boxes = 0;
+  bool is_proven = false;  ///< no coefficients have an objective smaller by more than 1e-7 of it
+};
+
+/// The global minimum, from a local one, by branch and bound over boxes of coefficients.
+FalloffSearch search(const Falloff& falloff, const FalloffMinimum& local);
+
 }  // namespace litfog

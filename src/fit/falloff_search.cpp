@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "fit/falloff_search.h"
+#include "fit/falloff.h"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -9,10 +9,9 @@
 
 #include "model/float_limit.h"
 #include "model/require.h"
+#include "photometry/angle_index.h"
 #include "photometry/circle_sampler.h"
-#include "photometry/dark_edge.h"
 #include "photometry/darkness.h"
-#include "photometry/measured_angles.h"
 
 namespace litfog {
 namespace {

@@ -7,7 +7,7 @@
 #include <limits>
 #include <numbers>
 
-#include "photometry/measured_angles.h"
+#include "photometry/angle_index.h"
 
 namespace litfog {
 namespace {

@@ -7,7 +7,7 @@
 #include <span>
 #include <utility>
 
-#include "photometry/measured_angles.h"
+#include "photometry/angle_index.h"
 
 namespace litfog {
 namespace {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <numbers>
 
 #include "litfog/photometry/intensity_distribution.h"
 #include "photometry/pole_coordinates.h"
@@ -32,5 +33,8 @@ class Darkness {
   double high_ahead_ = 0, high_aside_ = 0;
   bool is_wide_ = false;  // the lit turn is more than a half
 };
+
+/// Step from a beam's last lit angle to the dark beyond it in a table or profile, radians: 0.01 degrees.
+inline constexpr double kDarkEdge = std::numbers::pi / 18000;
 
 }  // namespace litfog

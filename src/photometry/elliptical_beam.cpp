@@ -6,7 +6,7 @@
 
 #include "model/float_limit.h"
 #include "model/require.h"
-#include "photometry/dark_edge.h"
+#include "photometry/darkness.h"
 
 namespace litfog {
 namespace {

@@ -10,7 +10,7 @@
 
 #include "model/float_limit.h"
 #include "model/require.h"
-#include "photometry/measured_angles.h"
+#include "photometry/angle_index.h"
 #include "photometry/pole_coordinates.h"
 
 namespace litfog {
