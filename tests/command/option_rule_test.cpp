@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/option_rule.h"
+#include "core/value_errors.h"
 
 #include <gtest/gtest.h>
 
@@ -14,21 +15,13 @@ std::string error_of(const std::string& arguments, const std::vector<OptionRule>
   CLI::App app;
   for (const char* name : {"--fog", "--visibility", "--density"}) app.add_flag(name);
   app.parse(arguments);
-  try {
-    check_options(app, rules);
-  } catch (const CLI::ValidationError& error) {
-    return error.what();
-  }
-  return "";
+  return sentence_of<CLI::ValidationError>([&] { check_options(app, rules); });
 }
 
 TEST(OptionRule, LongValueIsCutInItsError) {
-  try {
-    fail_option("--set", std::string(100'000, 'x'), "must be short");
-    FAIL() << "no error";
-  } catch (const CLI::ValidationError& error) {
-    EXPECT_EQ(error.what(), "--set = " + std::string(200, 'x') + "...: must be short");
-  }
+  EXPECT_EQ(
+      sentence_of<CLI::ValidationError>([&] { fail_option("--set", std::string(100'000, 'x'), "must be short"); }),
+      "--set = " + std::string(200, 'x') + "...: must be short");
 }
 
 TEST(OptionRule, ExcludedOptionIsAUsageErrorWithItsReason) {
@@ -39,9 +32,9 @@ TEST(OptionRule, ExcludedOptionIsAUsageErrorWithItsReason) {
 }
 
 TEST(OptionRule, OtherOptionsAndConditionsAreAccepted) {
-  EXPECT_EQ(error_of("--fog", {{"--density", true, {"--visibility"}}}), "");
-  EXPECT_EQ(error_of("--fog --visibility", {{"--fog none", false, {"--visibility"}}}), "");
-  EXPECT_EQ(error_of("--fog", {{"--fog none", true, {"--an-option-of-other-jobs"}}}), "");
+  EXPECT_EQ(error_of("--fog", {{"--density", true, {"--visibility"}}}), "no error");
+  EXPECT_EQ(error_of("--fog --visibility", {{"--fog none", false, {"--visibility"}}}), "no error");
+  EXPECT_EQ(error_of("--fog", {{"--fog none", true, {"--an-option-of-other-jobs"}}}), "no error");
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
+#include "core/value_errors.h"
 #include "litfog/files/output_error.h"
 
 namespace litfog::test {
@@ -27,19 +28,12 @@ class OutputFilesTest : public testing::Test {
   TemporaryDirectory directory_;
 };
 
-std::string error_of(const std::function<void()>& run) {
-  try {
-    run();
-  } catch (const CLI::ValidationError& error) {
-    return error.what();
-  }
-  return "";
-}
+std::string error_of(const std::function<void()>& run) { return sentence_of<CLI::ValidationError>(run); }
 
 TEST_F(OutputFilesTest, NamesThatAreTooLongAreNotOneFile) {
   OutputFiles outputs;
   outputs.add("-o", path(std::string(300, 'a')));
-  EXPECT_EQ(error_of([&] { outputs.add("-o", path(std::string(300, 'b'))); }), "");
+  EXPECT_EQ(error_of([&] { outputs.add("-o", path(std::string(300, 'b'))); }), "no error");
 }
 
 TEST_F(OutputFilesTest, TemporariesOfKilledCommandsAreRemovedFromTheFoldersOfOutputs) {
@@ -101,13 +95,8 @@ TEST_F(OutputFilesTest, DocumentsThatPeopleWriteAreNotReplaced) {
     std::ofstream(path("stats.json")) << "{\"litfog\": \"" << kind << "\", \"version\": 1}";
     OutputFiles outputs;
     outputs.add("--stats", path("stats.json"));
-    try {
-      outputs.expect_no_documents();
-      ADD_FAILURE() << kind;
-    } catch (const OutputError& error) {
-      EXPECT_EQ(error.what(),
-                path("stats.json") + ": cannot be written: is there, and is a litfog document, a " + kind);
-    }
+    EXPECT_EQ(sentence_of<OutputError>([&] { outputs.expect_no_documents(); }),
+              path("stats.json") + ": cannot be written: is there, and is a litfog document, a " + kind);
   }
   for (const char* text : {"", "text", "{\"frames\": 3}", "[]", "{\"litfog\": 1}"}) {
     std::ofstream(path("stats.json")) << text;

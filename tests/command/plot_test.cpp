@@ -2,24 +2,46 @@
 #include "command/plot.h"
 
 #include <gtest/gtest.h>
+#include <stdlib.h>
 #include <unistd.h>
 
 #include <CLI/Error.hpp>
 #include <cstdint>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <limits>
 #include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "command/exit_status.h"
-#include "command/program_folder.h"
 #include "command/temporary_directory.h"
+#include "core/value_errors.h"
 #include "litfog/files/output_error.h"
 
 namespace litfog::test {
 using namespace command;
 
 namespace {
+
+/// While it lives, programs are looked for in one folder alone.
+class ProgramFolder {
+ public:
+  explicit ProgramFolder(const std::filesystem::path& folder) { setenv("PATH", folder.c_str(), 1); }
+  ~ProgramFolder() { setenv("PATH", path_.c_str(), 1); }
+  ProgramFolder(const ProgramFolder&) = delete;
+  ProgramFolder& operator=(const ProgramFolder&) = delete;
+
+ private:
+  std::string path_ = std::getenv("PATH");
+};
+
+/// A shell script that can be run as a program.
+void write_program(const std::filesystem::path& file, const std::string& script) {
+  std::ofstream(file) << "#!/bin/sh\n" << script << "\n";
+  std::filesystem::permissions(file, std::filesystem::perms::owner_all);
+}
 
 Figure one_line() {
   Series series{.name = "falls", .points = {{1, 1000}, {10, 1}, {100, 1e-6, "here"}}};
@@ -155,12 +177,7 @@ TEST(Plot, ValueThatTheAxisCannotShowIsAnError) {
   const auto error_with = [](PlotPoint point) -> std::string {
     Figure figure = one_line();
     figure.charts[0].series[0].points[1] = point;
-    try {
-      draw_figure(figure, FigureFormat::svg);
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "";
+    return sentence_of<std::invalid_argument>([&] { draw_figure(figure, FigureFormat::svg); });
   };
   EXPECT_EQ(error_with({0, 1}), "range (m) = 0: must be finite and > 0 on a logarithmic axis");
   EXPECT_EQ(error_with({1, -1}), "attenuation = -1: must be finite and > 0 on a logarithmic axis");

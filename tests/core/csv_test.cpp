@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "core/value_errors.h"
 #include "litfog/input_error.h"
 
 namespace litfog::test {
@@ -181,12 +182,8 @@ TEST(Csv, RecordsMayStraddleTheReadersBuffer) {
 TEST(Csv, UnreadableInputIsAnError) {
   const File file(std::fopen("/tmp", "rb"), std::fclose);
   ASSERT_NE(file, nullptr);
-  try {
-    CsvReader reader(file.get(), "dir");
-    FAIL() << "a directory was read";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "dir: cannot be read: Is a directory");
-  }
+  EXPECT_EQ(sentence_of<InputError>([&] { CsvReader reader(file.get(), "dir"); }),
+            "dir: cannot be read: Is a directory");
 }
 
 TEST(Csv, FieldIsQuotedOnlyWhereItNeedsIt) {

@@ -6,15 +6,20 @@
 
 namespace litfog::test {
 
-/// The sentence of the std::invalid_argument that a call throws.
-template <typename Call>
-std::string error_of(const Call& call) {
+/// The sentence of the error that a call throws.
+template <typename Error, typename Call>
+std::string sentence_of(const Call& call) {
   try {
     call();
-  } catch (const std::invalid_argument& error) {
+  } catch (const Error& error) {
     return error.what();
   }
   return "no error";
+}
+
+template <typename Call>
+std::string error_of(const Call& call) {
+  return sentence_of<std::invalid_argument>(call);
 }
 
 }  // namespace litfog::test

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "demo/sequence/course.h"
+#include "core/value_errors.h"
 
 #include <fmt/format.h>
 #include <gtest/gtest.h>
@@ -78,12 +79,7 @@ TEST(Course, PointsGoFromOneToTheOther) {
 
 TEST(Course, WrongTextsAreErrorsOfTheirOption) {
   const auto error = [](const std::string& text) -> std::string {
-    try {
-      parse_course("--x", text, kNotNegative, Steps::ratio);
-    } catch (const CLI::ValidationError& wrong) {
-      return wrong.what();
-    }
-    return "no error";
+    return sentence_of<CLI::ValidationError>([&] { parse_course("--x", text, kNotNegative, Steps::ratio); });
   };
   EXPECT_EQ(error("1,x"), "--x = x: must be a number >= 0 or inf");
   EXPECT_EQ(error("1,"), "--x = \"\": must be a number >= 0 or inf");

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/value_errors.h"
 #include "files/json_document.h"
 #include "litfog/input_error.h"
 
@@ -19,16 +20,13 @@ namespace {
 
 /// The sentence of what is wrong with a document, which is read as {"threshold": number, "color": number}.
 std::string error_of(const std::string& text) {
-  try {
+  return sentence_of<InputError>([&] {
     const JsonValue root = parse_json(text, "f");
     root.allow_only({"threshold", "color"});
     const double threshold = root.number_or("threshold", 0.5);
     if (!(threshold > 0 && threshold < 1)) root.member("threshold").fail("must be in (0, 1)");
     root.number_or("color", 0);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "(accepted)";
+  });
 }
 
 TEST(Hint, MisspeltMemberIsNamed) {

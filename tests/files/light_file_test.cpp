@@ -13,6 +13,7 @@
 #include <string>
 
 #include "command/temporary_directory.h"
+#include "core/value_errors.h"
 #include "files/angle_deg.h"
 #include "files/json_document.h"
 #include "files/light_json.h"
@@ -30,12 +31,7 @@ using std::numbers::pi;
 Light parse(const std::string& text) { return parse_light(parse_json(text, "f")); }
 
 std::string error_of(const std::string& text) {
-  try {
-    parse(text);
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "(accepted)";
+  return sentence_of<InputError>([&] { parse(text); });
 }
 
 TEST(LightFile, EveryMemberIsRead) {
@@ -201,13 +197,7 @@ TEST(LightFile, FileNeedsItsHeaderAndLendsItsName) {
   std::ofstream(path) << R"({"litfog": "light", "version": 1, "attenuation": {"linear": 1}})";
   EXPECT_EQ(read_light(path.string()).name, path.stem().string());
   std::ofstream(path) << R"({"attenuation": {"linear": 1}})";
-  std::string what;
-  try {
-    read_light(path.string());
-  } catch (const InputError& error) {
-    what = error.what();
-  }
-  EXPECT_EQ(what, path.string() + ":1:1: litfog: must be given");
+  EXPECT_EQ(sentence_of<InputError>([&] { read_light(path.string()); }), path.string() + ":1:1: litfog: must be given");
   std::filesystem::remove(path);
 }
 

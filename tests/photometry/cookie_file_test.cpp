@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "command/temporary_directory.h"
+#include "core/value_errors.h"
 #include "litfog/input_error.h"
 #include "reference/random_light.h"
 
@@ -160,12 +161,7 @@ TEST(CookieFile, EveryMutationIsAnErrorOrACookie) {
 TEST(CookieFile, MissingFileIsAnError) {
   const TemporaryDirectory directory;
   const std::string path = (directory.path() / "c.exr").string();
-  try {
-    read_cookie(path);
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(), path + ": cannot be read: No such file or directory");
-  }
+  EXPECT_EQ(sentence_of<InputError>([&] { read_cookie(path); }), path + ": cannot be read: No such file or directory");
   std::ofstream(path, std::ios::binary) << format_cookie(random_cookie(3));
   EXPECT_EQ(read_cookie(path).texels, random_cookie(3).texels);
 }

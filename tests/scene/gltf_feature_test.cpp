@@ -14,6 +14,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/value_errors.h"
 #include "reference/random_light.h"
 #include "scene/gltf_floor.h"
 
@@ -122,12 +123,7 @@ TEST_F(GltfFeature, LightsChangeAsIfASceneFileStatedThem) {
   EXPECT_EQ(light.name, "lamp");
   EXPECT_EQ(changed("lights[0].color", "[1, 2, 3]").color, glm::dvec3(1, 2, 3));
   const auto error = [&](const std::string& member, const std::string& value) -> std::string {
-    try {
-      changed(member, value);
-    } catch (const InputError& bad) {
-      return bad.what();
-    }
-    return "no error";
+    return sentence_of<InputError>([&] { changed(member, value); });
   };
   EXPECT_EQ(error("lights[0].threshold", "7"), "--set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07");
   EXPECT_EQ(error("lights[1].threshold", "0.1"), "--set: lights[1]: is not there: the last one is lights[0]");

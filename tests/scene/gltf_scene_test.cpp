@@ -17,6 +17,7 @@
 #include <tuple>
 
 #include "command/temporary_directory.h"
+#include "core/value_errors.h"
 #include "litfog/attenuation.h"
 #include "litfog/input_error.h"
 #include "reference/random_light.h"
@@ -556,12 +557,8 @@ TEST_F(GltfScene, ABinaryChunkEndsWithinItsFile) {
   file["buffers"][0]["byteLength"] = 148;
   std::string bytes = binary_file(file, floor_bytes());
   bytes[bytes.size() - 140 - 8] = char(148);  // the chunk's length
-  try {
-    read_scene(write("over.glb", bytes));
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_EQ(error.what(), path("over.glb") + ": must not end within its binary chunk");
-  }
+  EXPECT_EQ(sentence_of<InputError>([&] { read_scene(write("over.glb", bytes)); }),
+            path("over.glb") + ": must not end within its binary chunk");
 }
 
 // 3 vertices and a million triangles of them: 20 nodes are within the limit.

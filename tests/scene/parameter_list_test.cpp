@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scene/model/parameter_list.h"
+#include "core/value_errors.h"
 
 #include <gtest/gtest.h>
 
@@ -29,12 +30,7 @@ std::string error_of(const ModelParameters& parameters) {
   Lamp lamp;
   ParameterList list;
   lamp.describe(list);
-  try {
-    list.set(parameters);
-  } catch (const std::invalid_argument& error) {
-    return error.what();
-  }
-  return "";
+  return sentence_of<std::invalid_argument>([&] { list.set(parameters); });
 }
 
 TEST(ParameterList, DefaultIsTheShortestDecimalOfTheMember) {
@@ -60,7 +56,7 @@ TEST(ParameterList, GivenParametersReplaceDefaults) {
 }
 
 TEST(ParameterList, ErrorNamesParameterValueAndRule) {
-  EXPECT_EQ(error_of({{"height_m", 0.1}, {"bulbs", 9}}), "");
+  EXPECT_EQ(error_of({{"height_m", 0.1}, {"bulbs", 9}}), "no error");
   EXPECT_EQ(error_of({{"height_m", 0.05}}), "height_m = 0.05: must be in [0.1, 40]");
   EXPECT_EQ(error_of({{"height_m", std::numeric_limits<double>::quiet_NaN()}}), "height_m = nan: must be in [0.1, 40]");
   EXPECT_EQ(error_of({{"bulbs", 2e6}}), "bulbs = 2000000: must be in [1, 1000000]");

@@ -11,6 +11,7 @@
 
 #include "command/exit_status.h"
 #include "command/temporary_directory.h"
+#include "core/value_errors.h"
 #include "litfog/fog_light_block.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/cookie_file.h"
@@ -467,12 +468,7 @@ class SceneChanges : public SceneFile {
   }
   Scene changed(const std::vector<SceneChange>& changes) const { return read_scene(path(), {}, changes); }
   std::string error_of_change(const SceneChange& change) const {
-    try {
-      changed({change});
-    } catch (const InputError& bad) {
-      return bad.what();
-    }
-    return "no error";
+    return sentence_of<InputError>([&] { changed({change}); });
   }
 };
 
