@@ -440,9 +440,7 @@ TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) 
   for (const double visibility : {kClear, 20'000.0, suggested_visibility(scene), 1.0}) {
     for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
       if (mode == FogMode::exp2 && has_layers) continue;
-      renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(mode, visibility)));
-      renderer.draw(LightPoints::off);
-      const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
+      const PictureError error = error_in(renderer, Fog::from_visibility(mode, visibility));
       const std::string measured =
           fmt::format("{:<12} {:>5} m {:<4} largest {:6.3f}, mean {:.4f} of 1/255, {} excluded", name, visibility,
                       name_of(mode), error.largest, error.mean, error.excluded);
@@ -534,27 +532,28 @@ TEST_F(ReferencePictureTest, AirlightOfADistantViewIsThatOfTheReference) {
   }
 }
 
+/// Draws a scene by airlight, which may err by a bound, with no pixel excluded.
+void expect_airlight_within(double bound, const Scene& scene, glm::ivec2 size, const Fog& fog) {
+  Renderer renderer(scene, size.x, size.y, by_airlight());
+  const PictureError error = error_in(renderer, fog);
+  fmt::print("largest {:6.3f}, {} excluded\n", error.largest, error.excluded);
+  EXPECT_LE(error.largest, bound);
+  EXPECT_EQ(error.excluded, 0u);
+}
+
 // A beam's edge beside the second texel of the coarse grids: of the texels within the picture, three lie on a straight
 // line by chance.
 TEST_F(ReferencePictureTest, AirlightAtThePicturesEdgeIsThatOfTheReference) {
   const Scene scene = read_scene(bundled_scene_path("tessellation"));
-  Renderer renderer(scene, 48, 27, by_airlight());
-  const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp, 100));
-  fmt::print("largest {:6.3f}\n", error.largest);
-  EXPECT_LE(error.largest, 0.5);  // 1.001 by one bend alone
-  EXPECT_EQ(error.excluded, 0u);
+  expect_airlight_within(0.5, scene, {48, 27}, Fog::from_visibility(FogMode::exp, 100));  // 1.001 by one bend alone
 }
 
 // Across the apex of a wide beam its airlight jumps from full to none.
 TEST_F(ReferencePictureTest, AirlightAroundABeamsApexIsThatOfTheReference) {
   const Scene scene = read_scene(bundled_scene_path("tessellation"));
-  Renderer renderer(scene, 96, 54, by_airlight());
-  for (const Fog& fog : {Fog::from_visibility(FogMode::exp, 100), Fog::from_visibility(FogMode::exp2, 20)}) {
-    const PictureError error = error_in(renderer, fog);
-    fmt::print("largest {:6.3f}, {} excluded\n", error.largest, error.excluded);
-    EXPECT_LE(error.largest, kAirlightBound);  // 1.15 and 1.09 where coarse grids keep some at the apex
-    EXPECT_EQ(error.excluded, 0u);
-  }
+  // 1.15 and 1.09 where coarse grids keep some at the apex.
+  expect_airlight_within(kAirlightBound, scene, {96, 54}, Fog::from_visibility(FogMode::exp, 100));
+  expect_airlight_within(kAirlightBound, scene, {96, 54}, Fog::from_visibility(FogMode::exp2, 20));
 }
 
 // In a long lens a surface's edge lies nearer than all that the coarse grids see around it, with a beam in between.
@@ -562,22 +561,15 @@ TEST_F(ReferencePictureTest, AirlightBeforeAnEdgeInDenseFogIsThatOfTheReference)
   Scene scene = read_scene(bundled_scene_path("tessellation"));
   scene.camera.target = {3.158, 5.719, 0};
   scene.camera.field_of_view *= 0.1f;
-  Renderer renderer(scene, 48, 27, by_airlight());
-  const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp2, 20));
-  fmt::print("largest {:6.3f}, {} excluded\n", error.largest, error.excluded);
-  EXPECT_LE(error.largest, 0.5);  // 1.82 where their gain of airlight is taken to hold there
-  EXPECT_EQ(error.excluded, 0u);
+  // 1.82 where their gain of airlight is taken to hold there.
+  expect_airlight_within(0.5, scene, {48, 27}, Fog::from_visibility(FogMode::exp2, 20));
 }
 
 // Hundreds of lamps that are seen from afar: what they add beyond their extents changes within few pixels.
 TEST_F(ReferencePictureTest, AirlightOfADistantAirportIsThatOfTheReference) {
   Scene scene = read_scene(bundled_scene_path("approach"));
   scene.camera.field_of_view *= 0.5f;
-  Renderer renderer(scene, 24, 14, by_airlight());
-  const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp, 5000.0));
-  fmt::print("largest {:6.3f}, {} excluded\n", error.largest, error.excluded);
-  EXPECT_LE(error.largest, kAirlightBound);
-  EXPECT_EQ(error.excluded, 0u);
+  expect_airlight_within(kAirlightBound, scene, {24, 14}, Fog::from_visibility(FogMode::exp, 5000.0));
 }
 
 /// The bounds by airlight of paths that do not light each fragment by the formula. Those by light maps have their bound
@@ -636,9 +628,7 @@ TEST_F(ReferencePictureTest, OddLampsAreWithinTheBoundsOfTheirPaths) {
   for (const LightingPath& path : lighting_paths()) {
     if (path.evaluation == Evaluation::vertex) continue;
     Renderer renderer(scene, kWidth, kHeight, {.skipping = Skipping::off, .path = &path});
-    renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 60.0)));
-    renderer.draw(LightPoints::off);
-    const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
+    const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp, 60.0));
     EXPECT_LE(error.beyond_maps, kLookupBound.beyond_maps) << path.name;
     EXPECT_LE(error.excluded, std::size_t{kWidth * kHeight / 400}) << path.name;
   }
@@ -733,11 +723,8 @@ TEST_F(ReferencePictureTest, AirlightOfDirectionalFogAtEdgesIsThatOfTheReference
   for (const double g : {0.8, -0.8}) {
     Scene scene = read_scene(bundled_scene_path("street"));
     scene.atmosphere.phase = Phase::henyey_greenstein(g);
-    Renderer renderer(scene, 48, 27, by_airlight());
-    const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp2, 1500));
-    fmt::print("g {:4.1f}: largest {:6.3f}, {} excluded\n", g, error.largest, error.excluded);
-    EXPECT_LE(error.largest, kAirlightBound) << g;
-    EXPECT_EQ(error.excluded, 0u) << g;
+    SCOPED_TRACE(g);
+    expect_airlight_within(kAirlightBound, scene, {48, 27}, Fog::from_visibility(FogMode::exp2, 1500));
   }
 }
 
@@ -767,9 +754,7 @@ TEST_F(ReferencePictureTest, AirlightOfManyLampsBeyondTheirExtentsIsThatOfTheRef
   for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
     const Fog fog = Fog::from_visibility(mode, 1500);
     Renderer renderer(scene, 24, 14, {.fog_lighting = FogLighting::airlight, .samples = 1});
-    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
-    renderer.draw(LightPoints::off);
-    const PictureError error = picture_error(renderer.read(), shade_reference(renderer));
+    const PictureError error = error_in(renderer, fog);
     double cut_off = 0;  // along a ray over the lamps
     double whole = 0;
     const EyeRay ray{.origin = scene.camera.position, .direction = glm::normalize(glm::dvec3(0, 0.15, -1))};

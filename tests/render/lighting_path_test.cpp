@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "gl/gl_test.h"
 #include "litfog/photometry/cube_face.h"
@@ -200,28 +199,6 @@ class LightingPathPixels : public test::GlTest {
 // Half a step of the framebuffer's half floats below 4, which no pixel here exceeds; passes add up in floats before.
 constexpr double kHalfFloat = 0x1p-10;
 
-/// What a light's look-up may be wrong by, of its colour. Range: h^2 / 8 times the second derivatives of
-/// 1 / (1 + 19 r^2) or r^2, h = 2 / 127 (see light_map_test.cpp). Cone: in the same way, h = 2 tan(half angle) / 127
-/// and the second derivative of a smoothstep over the cone's edge, at most 6 / width^2, along both axes.
-double lookup_bound(const LightingPath& path, const Light& light) {
-  const double h = 2.0 / 127;
-  const double range = h * h / 8 * (path.range == RangeLaw::radial ? 6 : 6 * 19);
-  const Cone& cone = light.cone;
-  if (cone.profile == ConeProfile::none) return range;
-  const double texel = 2 * std::tan(std::min(cone.outer, std::numbers::pi / 4)) / 127;
-  const double width = cone.outer - cone.inner;
-  return range + texel * texel / 8 * 2 * 6 / (width * width);
-}
-
-TEST_F(LightingPathPixels, FragmentPathsAreTheBasicModel) {
-  Scene scene = wall(1);
-  scene.lights = lamps();
-  const Finish finish(scene);
-  for (const char* path : {"unified", "tangent"}) {
-    check("wall under eight lamps, clear and foggy", kHalfFloat, scene, finish, path);
-  }
-}
-
 /// Lamps of every profile, every other one carried.
 std::vector<PlacedLight> crowd(int count) {
   std::vector<PlacedLight> lights;
@@ -247,26 +224,6 @@ TEST_F(LightingPathPixels, FewAndManyLightsAreTheBasicModel) {
   }
 }
 
-TEST_F(LightingPathPixels, LookupPathsAreThePapersModelToWithinTheirTexels) {
-  Scene scene = wall(1);
-  const Finish finish(scene);
-  const std::vector<PlacedLight> few = lamps();
-  for (const std::size_t count : {std::size_t{1}, few.size(), 5 * few.size()}) {  // the last too many to hand over
-    scene.lights.clear();
-    for (std::size_t i = 0; i < count; ++i) {
-      scene.lights.push_back(few[i % few.size()]);
-      if (count > few.size()) scene.lights.back().light.color /= 5.0;
-    }
-    for (const LightingPath& path : lighting_paths()) {
-      if (path.evaluation != Evaluation::lookup) continue;
-      double bound = kHalfFloat;
-      for (const PlacedLight& light : scene.lights)
-        bound += finish.albedo.r * light.light.color.r * lookup_bound(path, light.light);
-      check("wall under " + std::to_string(count) + " lamps", bound, scene, finish, path.name);
-    }
-  }
-}
-
 // Attenuation without linear and quadratic parts never ends a light: one as far as floats go, and one that ends 10,000
 // km away, beside whose extent the way to a surface is nothing.
 TEST_F(LightingPathPixels, LightsWithoutAnEndLightEveryPath) {
@@ -284,59 +241,6 @@ TEST_F(LightingPathPixels, LightsWithoutAnEndLightEveryPath) {
         bound += finish.albedo.r * scene.lights[0].light.color.r * fall;
       }
       check("wall under an endless lamp", bound, scene, finish, path.name);
-    }
-  }
-}
-
-// Linear interpolation errs by the square of the triangles' size.
-TEST_F(LightingPathPixels, VertexPathsConvergeInTheSecondOrderAsTheWallIsTessellated) {
-  for (const char* path : {"vertex", "mixed", "legacy"}) {
-    std::vector<double> errors;
-    for (const int cells : {16, 32, 64}) {
-      Scene scene = wall(cells);
-      scene.lights = {lamp({-0.4, 0.2, -2.5}, {1, 0.1, 0.2}, Cone{}, true)};
-      scene.lights[0].light.color *= 8.0;
-      errors.push_back(worst_error(scene, Fog{}, settings(path)));
-    }
-    const double order = std::log2(errors[0] / errors[2]) / 2;
-    std::printf("%-8s errors at 16, 32 and 64 cells %.4f %.4f %.4f, order %.2f\n", path, errors[0], errors[1],
-                errors[2], order);
-    EXPECT_GT(order, 1.7) << path;
-    EXPECT_LT(order, 2.3) << path;
-  }
-}
-
-// The Cg Tutorial's figure 5-16, at its worst: a spot between the wall's corners.
-TEST_F(LightingPathPixels, VertexPathsMissASpotWithinATriangle) {
-  Scene scene = wall(1);
-  scene.environment = {};
-  scene.lights = {lamp({0, 0, -2}, kQuadratic, Cone::smoothstep(0.1, 0.4), true)};
-  for (const char* path : {"vertex", "legacy"}) {
-    EXPECT_TRUE(std::ranges::all_of(draw(scene, Fog{}, settings(path)).rgb, [](float value) { return value == 0; }));
-  }
-  EXPECT_GT(std::ranges::max(draw(scene, Fog{}, settings("lookup-3d")).rgb), 0.05f);
-}
-
-TEST_F(LightingPathPixels, LegacyFogHasOneColor) {
-  Scene scene = wall(1);
-  scene.lights = lamps();
-  const Picture picture = draw(scene, Fog::from_visibility(FogMode::exp, 0.1), settings("legacy"));
-  for (int c = 0; c < 3; ++c) {
-    EXPECT_NEAR(picture.rgb[std::size_t(c)], scene.atmosphere.ambient_fog_color[c], kHalfFloat);
-  }
-}
-
-// Lights are added in another order, those that add nothing may get a pass of their own, and half floats round once
-// more. In `tangent` a light's position is extrapolated beyond the edge of a triangle, to where it may be in reach.
-TEST_F(LightingPathPixels, PixelsAreTheSameWhateverIsSkipped) {
-  for (const char* name : {"room", "headlights"}) {
-    const Scene scene = read_scene(bundled_scene_path(name));
-    const Fog fog = Fog::from_visibility(FogMode::exp, scene.visibilities[0]);
-    for (const LightingPath& path : lighting_paths()) {
-      const Picture skipped = draw(scene, fog, {.path = &path});
-      const Picture whole = draw(scene, fog, {.skipping = Skipping::off, .path = &path});
-      const double bound = path.name == "tangent" ? 2.5 / 255 : 2 * kHalfFloat;
-      EXPECT_LE(largest_difference(skipped, whole), bound) << name << ", " << path.name;
     }
   }
 }

@@ -270,6 +270,16 @@ class HiddenWall : public SkippingTest {
     scene_.instances.push_back({scene_.models.size() - 1, glm::translate(glm::mat4(1), position)});
   }
 
+  /// Adds a lamp of {1, 0, quadratic} in air of a fraction of the fog's density.
+  void add_lamp(const glm::dvec3& position, const glm::dvec3& direction, const Cone& cone, double quadratic,
+                bool is_carried, double density_scale = 1) {
+    scene_.lights.push_back({.light = {.name = "lamp", .attenuation = {1, 0, quadratic}, .cone = cone},
+                             .position = position,
+                             .direction = direction,
+                             .carried = is_carried});
+    scene_.lights.back().light.density_scale = density_scale;
+  }
+
   /// Compares, and says how the wall was drawn.
   FrameCounts counts_in_fog(FogLighting lighting) {
     Pair pair(scene_, {.fog_lighting = lighting});
@@ -325,23 +335,11 @@ TEST_F(HiddenWall, WallHidesTheSkyAboveTheFog) {
   EXPECT_EQ(counts.sky, SkyDrawing::sky);
 }
 
-TEST_F(HiddenWall, WallHidesThePointAndTheGlowOfALamp) {
-  PlacedLight lamp;
-  lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.001}, .cone = {}};
-  lamp.light.density_scale = 0.2;
-  lamp.position = {0, 4, -130};
-  scene_.lights.push_back(lamp);
+TEST_F(HiddenWall, WallHidesThePointAndTheGlowOfALampAndTheGlowAlone) {
+  add_lamp({0, 4, -130}, {0, 0, -1}, {}, 0.001, false, 0.2);
   EXPECT_EQ(counts_in_fog(FogLighting::airlight).chunks_as_fog, 1u);
   EXPECT_EQ(counts_in_fog(FogLighting::peak).chunks_as_fog, 1u);
-}
-
-TEST_F(HiddenWall, WallHidesTheGlowOfALampThatHasNoPoint) {
-  PlacedLight lamp;
-  lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.001}, .cone = {}};
-  lamp.light.density_scale = 0.2;
-  lamp.position = {0, 4, -130};
-  lamp.carried = true;  // no point is drawn of it
-  scene_.lights.push_back(lamp);
+  scene_.lights.back().carried = true;  // no point is drawn of it
   EXPECT_EQ(counts_in_fog(FogLighting::airlight).chunks_as_fog, 1u);
 }
 
@@ -385,12 +383,8 @@ TEST_F(HiddenWall, WallThatIsLeftOutWasBelowItsShare) {
 TEST_F(HiddenWall, LampsThatAreLeftOutOfASurfaceWereBelowTheirShare) {
   scene_.environment.ambient_light = scene_.atmosphere.ambient_fog_color = glm::vec3(0);
   for (int i = 0; i < 64; ++i) {
-    PlacedLight lamp;
-    lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .cone = Cone::smoothstep(1.0, 1.2)};  // not to the eye
-    lamp.light.color = glm::dvec3(2e-5 * (1 + 0.01 * i));
-    lamp.position = {0.1 * i - 3.2, 2, -95};
-    lamp.direction = {0, 0, -1};
-    scene_.lights.push_back(lamp);
+    add_lamp({0.1 * i - 3.2, 2, -95}, {0, 0, -1}, Cone::smoothstep(1.0, 1.2), 0.01, false);  // not to the eye
+    scene_.lights.back().light.color = glm::dvec3(2e-5 * (1 + 0.01 * i));
   }
   Pair pair(scene_, {.fog_lighting = FogLighting::peak});
   pair.set_fog(Fog{});
@@ -401,23 +395,14 @@ TEST_F(HiddenWall, LampsThatAreLeftOutOfASurfaceWereBelowTheirShare) {
 }
 
 TEST_F(HiddenWall, WallIsLitFogBeforeACarriedLight) {
-  PlacedLight lamp;
-  lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .cone = Cone::smoothstep(0.05, 0.06)};
-  lamp.position = {3, 2, -5};
-  lamp.carried = true;
-  scene_.lights.push_back(lamp);
+  add_lamp({3, 2, -5}, {0, 0, -1}, Cone::smoothstep(0.05, 0.06), 0.01, true);
   const FrameCounts counts = counts_in_fog(FogLighting::peak);
   EXPECT_EQ(counts.chunks_as_fog, 1u);
   EXPECT_EQ(counts.sky, SkyDrawing::fog);
 }
 
 TEST_F(HiddenWall, IsLeftOutBesideTheBeamOfACarriedLight) {
-  PlacedLight lamp;
-  lamp.light = {.name = "lamp", .attenuation = {1, 0, 0.01}, .cone = Cone::smoothstep(0.05, 0.06)};
-  lamp.position = {0.5, 2, 0};
-  lamp.direction = glm::normalize(glm::dvec3(0.4, 0, -1));
-  lamp.carried = true;
-  scene_.lights.push_back(lamp);
+  add_lamp({0.5, 2, 0}, glm::normalize(glm::dvec3(0.4, 0, -1)), Cone::smoothstep(0.05, 0.06), 0.01, true);
   const FrameCounts counts = counts_in_fog(FogLighting::peak);
   EXPECT_EQ(counts.chunks_hidden, 1u);
   EXPECT_EQ(counts.sky, SkyDrawing::fog);
