@@ -83,8 +83,7 @@ void expect_columns(const Json& rows, const std::vector<std::string>& columns) {
 }
 
 TEST_F(BenchMeasurement, SolveMeasuresEveryMethodInBothFogs) {
-  const Outcome outcome = run("solve --quick --json solve.json --csv solve.csv --plot solve.png");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Outcome outcome = expect_done("solve --quick --json solve.json --csv solve.csv --plot solve.png");
   EXPECT_EQ(outcome.err, "");
   const Json document = Json::parse(read("solve.json"));
   expect_machine(document);
@@ -115,8 +114,7 @@ TEST_F(BenchMeasurement, SolveMeasuresEveryMethodInBothFogs) {
 }
 
 TEST_F(BenchMeasurement, SolveFindsTheErrorsThatTheHeadersState) {
-  const Outcome outcome = run("solve --quick --format json");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Outcome outcome = expect_done("solve --quick --format json");
   const Json rows = Json::parse(outcome.out)["rows"];
   const auto max_error_255 = [&](const std::string& method, const std::string& fog) {
     const auto row =
@@ -163,8 +161,7 @@ TEST_F(BenchMeasurement, SolveFindsTheErrorsThatTheHeadersState) {
 }
 
 TEST_F(BenchMeasurement, AirlightMeasuresEveryMethodOverTheRaysThatItKnows) {
-  const Outcome outcome = run("airlight --quick --json airlight.json --csv airlight.csv --plot airlight.svg");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Outcome outcome = expect_done("airlight --quick --json airlight.json --csv airlight.csv --plot airlight.svg");
   EXPECT_EQ(outcome.err, "");
   const Json document = Json::parse(read("airlight.json"));
   expect_machine(document);
@@ -196,12 +193,11 @@ TEST_F(BenchMeasurement, AirlightMeasuresEveryMethodOverTheRaysThatItKnows) {
   expect_methods(" exp inverse-square 0", {"arctangent", "litfog", "reference"});
   expect_methods(" exp inverse-square 1", {"arctangent", "pegoraro-2009", "sun-2005", "litfog", "reference"});
   EXPECT_EQ(found.size(), count);
-  EXPECT_NE(read("airlight.svg").find("processor time of one thread per ray"), std::string::npos);
+  EXPECT_TRUE(has(read("airlight.svg"), "processor time of one thread per ray"));
 }
 
 TEST_F(BenchMeasurement, ScatteringTabulatesAllDepthsAndAngles) {
-  const Outcome outcome = run("scattering --quick --format json");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Outcome outcome = expect_done("scattering --quick --format json");
   const Json rows = Json::parse(outcome.out)["rows"];
   ASSERT_EQ(rows.size(), 2 * 12u);
   for (const Json& row : rows) {
@@ -218,8 +214,7 @@ TEST_F(BenchMeasurement, GlowIsThatOfTheReferenceAndOfTheRandomWalk) {
 #else
   const std::string strip;
 #endif
-  const Outcome outcome = run("glow --quick --json glow.json --plot glow.svg" + strip);
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  expect_done("glow --quick --json glow.json --plot glow.svg" + strip);
   const Json rows = Json::parse(read("glow.json"))["rows"];
   expect_columns(rows, kGlowColumns);
   std::map<std::string, int> methods;
@@ -250,12 +245,11 @@ TEST_F(BenchMeasurement, GlowIsThatOfTheReferenceAndOfTheRandomWalk) {
   if (!strip.empty()) {
     EXPECT_TRUE(read("strip.png").starts_with("\x89PNG"));
   }
-  EXPECT_NE(read("glow.svg").find("angle from the lamp (degrees)"), std::string::npos);
+  EXPECT_TRUE(has(read("glow.svg"), "angle from the lamp (degrees)"));
 }
 
 TEST_F(BenchMeasurement, RivalsOfTheAirlightConvergeToTheReference) {
-  const Outcome outcome = run("airlight --quick --format json");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Outcome outcome = expect_done("airlight --quick --format json");
   const Json document = Json::parse(outcome.out);
   std::map<std::string, double> coarsest, finest;
   for (const Json& row : document["rows"]) {
@@ -283,8 +277,7 @@ TEST_F(BenchMeasurement, RivalsOfTheAirlightConvergeToTheReference) {
 }
 
 TEST_F(BenchMeasurement, LampsStandBetweenPeakAndTheirReference) {
-  const Outcome outcome = run("lamps --quick --json lamps.json --csv lamps.csv --plot lamps.svg");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  expect_done("lamps --quick --json lamps.json --csv lamps.csv --plot lamps.svg");
   const Json document = Json::parse(read("lamps.json"));
   expect_machine(document);
   expect_columns(document["rows"], kLampColumns);
@@ -302,12 +295,11 @@ TEST_F(BenchMeasurement, LampsStandBetweenPeakAndTheirReference) {
   }
   EXPECT_EQ(visibilities.size(), 4u);
   for (const auto& [lamp, count] : visibilities) EXPECT_EQ(count, visibilities.begin()->second) << lamp;
-  EXPECT_NE(read("lamps.svg").find("visibility (m)"), std::string::npos);
+  EXPECT_TRUE(has(read("lamps.svg"), "visibility (m)"));
 }
 
 TEST_F(BenchMeasurement, UpdateStaysWithinItsBudget) {
-  const Outcome outcome = run("update --quick --json update.json --csv update.csv");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  expect_done("update --quick --json update.json --csv update.csv");
   const Json document = Json::parse(read("update.json"));
   expect_machine(document);
   expect_columns(document["rows"], kUpdateColumns);
@@ -333,8 +325,7 @@ TEST_F(BenchMeasurement, UpdateStaysWithinItsBudget) {
 }
 
 TEST_F(BenchMeasurement, LoadLeavesMemoryFlat) {
-  const Outcome outcome = run("load --quick --format json");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Outcome outcome = expect_done("load --quick --format json");
   const Json row = Json::parse(outcome.out)["rows"][0];
   EXPECT_LE(row["ms_per_step"].get<double>(), row["ms_worst"].get<double>());
   EXPECT_LE(row["grown_mib"].get<double>(), 1) << row;
@@ -343,8 +334,7 @@ TEST_F(BenchMeasurement, LoadLeavesMemoryFlat) {
 
 #ifdef LITFOG_HAS_FIT
 TEST_F(BenchMeasurement, FitFindsEveryOptimumToTheDigitsThatItStates) {
-  const Outcome outcome = run("fit --quick --json fit.json --csv fit.csv");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Outcome outcome = expect_done("fit --quick --json fit.json --csv fit.csv");
   EXPECT_EQ(outcome.err, "");
   const Json document = Json::parse(read("fit.json"));
   expect_machine(document);
@@ -423,16 +413,15 @@ TEST_F(BenchMeasurement, FullDiskIsNoticed) {
   for (const char* arguments : {"--json /dev/full", "--csv /dev/full", ">/dev/full"}) {
     const Outcome outcome = run(std::string("update --quick ") + arguments);
     EXPECT_EQ(outcome.status, kCannotWrite) << arguments;
-    EXPECT_NE(outcome.err.find("cannot be written: No space left on device"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, "cannot be written: No space left on device"));
   }
 }
 
 TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
-  const Outcome help = run("--help");
-  EXPECT_EQ(help.status, kDone);
+  const Outcome help = expect_done("--help");
   for (const char* part : {"solve", "airlight", "lamps", "scattering", "glow", "update", "load", "fit", "--json",
                            "--csv", "--plot", "--quick", "Exit status:"}) {
-    EXPECT_NE(help.out.find(part), std::string::npos) << part;
+    EXPECT_TRUE(has(help.out, part));
   }
   EXPECT_EQ(run("--version").status, kDone);
 }
@@ -462,8 +451,7 @@ const std::vector<std::string> kRenderColumns{
     "ratio_to_plain", "max_error_255", "mean_error_255",  "excepted_pixels"};
 
 TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
-  const Outcome outcome = run("render --quick --json render.json --csv render.csv --plot render.png");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  expect_done("render --quick --json render.json --csv render.csv --plot render.png");
   const Json document = Json::parse(read("render.json"));
   expect_machine(document, true);
   const Json& rows = document["rows"];
@@ -510,8 +498,7 @@ TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
 }
 
 TEST_F(BenchMeasurement, RejectionShadesFewerFragmentsAfterAPassOfDepths) {
-  const Outcome outcome = run("rejection --quick --json rejection.json");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  expect_done("rejection --quick --json rejection.json");
   const Json document = Json::parse(read("rejection.json"));
   expect_machine(document, true);
   std::map<std::string, Json> rows;
@@ -525,8 +512,7 @@ TEST_F(BenchMeasurement, RejectionShadesFewerFragmentsAfterAPassOfDepths) {
 
 // Linear look-ups err by the square of the texels' distance; the pair has as many texels as the 3-D map, denser ones.
 TEST_F(BenchMeasurement, MapsErrLessTheMoreTexelsTheyHave) {
-  const Outcome outcome = run("maps --quick --json maps.json");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  expect_done("maps --quick --json maps.json");
   const Json document = Json::parse(read("maps.json"));
   expect_machine(document, true);
   std::map<std::string, std::map<int, Json>> paths;
@@ -544,8 +530,7 @@ TEST_F(BenchMeasurement, MapsErrLessTheMoreTexelsTheyHave) {
 }
 
 TEST_F(BenchMeasurement, CityMeasuresClustersAndFramesAtEveryVisibility) {
-  const Outcome outcome = run("city --quick --json city.json --csv city.csv");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  expect_done("city --quick --json city.json --csv city.csv");
   const Json document = Json::parse(read("city.json"));
   expect_machine(document, true);
   std::map<std::string, int> rows;

@@ -21,6 +21,12 @@ struct Outcome {
   std::string err;
 };
 
+/// Whether a text has a part.
+inline testing::AssertionResult has(const std::string& text, const std::string& part) {
+  const bool is_there = text.find(part) != text.npos;
+  return (is_there ? testing::AssertionSuccess() : testing::AssertionFailure()) << "\"" << part << "\" in: " << text;
+}
+
 /// Runs a built command in a directory of the test's own.
 class CommandTest : public testing::Test {
  protected:
@@ -60,6 +66,13 @@ class CommandTest : public testing::Test {
                              "; } </dev/null >out 2>err";
     const int status = std::system(line.c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("out"), read("err")};
+  }
+
+  /// Runs the command, which has to succeed.
+  Outcome expect_done(const std::string& arguments, const std::string& environment = "") const {
+    const Outcome outcome = run(arguments, environment);
+    EXPECT_EQ(outcome.status, 0) << arguments << "\n" << outcome.err;
+    return outcome;
   }
 
  private:

@@ -73,6 +73,10 @@ class FitCommand : public litfog::test::CommandTest {
     write("spot.ies", kIes);
   }
 
+  void write_spec(const std::string& name, const std::string& members) const {
+    write(name, R"({"litfog": "light-spec", "version": 1, )" + members + "}");
+  }
+
   std::set<std::string> files() const {
     std::set<std::string> names;
     for (const auto& entry : fs::recursive_directory_iterator(directory())) {
@@ -99,28 +103,26 @@ TEST_F(FitCommand, CommandsThatDrawNoSceneLoadNoImageLibrary) {
   for (const char* command : {LITFOG_FIT_PATH, LITFOG_SOLVE_PATH}) {
     ASSERT_EQ(std::system(("ldd " + std::string(command) + " >" + (directory() / "libraries").string()).c_str()), 0);
     const std::string libraries = read("libraries");
-    EXPECT_NE(libraries.find("libstdc++"), std::string::npos) << command;
-    EXPECT_EQ(libraries.find("OpenImageIO"), std::string::npos) << command;
+    EXPECT_TRUE(has(libraries, "libstdc++")) << command;
+    EXPECT_FALSE(has(libraries, "OpenImageIO")) << command;
   }
 }
 
 TEST_F(FitCommand, HelpTeachesAndVersionSucceeds) {
-  const Outcome help = run("--help");
-  EXPECT_EQ(help.status, kDone);
+  const Outcome help = expect_done("--help");
   for (const char* part : {"\"light-spec\"", "Examples:", "Exit status:", "1 lx", "--cookie", "field_angle_deg"}) {
-    EXPECT_NE(help.out.find(part), std::string::npos) << part;
+    EXPECT_TRUE(has(help.out, part));
   }
   EXPECT_EQ(run("--version").out.substr(0, 11), "litfog-fit ");
 }
 
 TEST_F(FitCommand, ReportNamesTargetsFitErrorsAndCertificate) {
-  const Outcome outcome = run("lamp.json --details");
-  EXPECT_EQ(outcome.status, kDone);
+  const Outcome outcome = expect_done("lamp.json --details");
   EXPECT_EQ(outcome.err, "");
   for (const char* part :
        {"flood", "a test", "Range: optimal", "120 m", "held by", "KKT", "range_m", "Cone: ", "cosine", "smoothstep",
         "flux error", "50 % angle off", "10 % angle off", "none is below", "angle_deg", "uncertainty"}) {
-    EXPECT_NE(outcome.out.find(part), std::string::npos) << part;
+    EXPECT_TRUE(has(outcome.out, part));
   }
 }
 
@@ -128,16 +130,14 @@ TEST_F(FitCommand, ReportHasNoControlCharactersOfNames) {
   std::string ies = kIes;
   ies.replace(ies.find("[LUMINAIRE] spot"), 16, "[LUMINAIRE] a\x1B[31mb\n[MANUFAC] c\x1B]0;d\x07");
   write("e\x1B[2J.ies", ies);
-  write("esc.json", R"({"litfog": "light-spec", "version": 1, "name": "f\u001b[0m\ng", "source": "h\u009bi",
-    "range": {"extent_m": 100}})");
+  write_spec("esc.json", R"("name": "f\u001b[0m\ng", "source": "h\u009bi", "range": {"extent_m": 100})");
   for (const char* input : {"'e\x1B[2J.ies'", "esc.json", "'e\x1B[2J.ies' esc.json"}) {
-    const Outcome outcome = run(input);
-    EXPECT_EQ(outcome.status, kDone) << outcome.err;
+    const Outcome outcome = expect_done(input);
     EXPECT_TRUE(std::ranges::none_of(outcome.out, [](char c) { return c >= 0 && c < 0x20 && c != '\n'; }))
         << outcome.out;
-    EXPECT_EQ(outcome.out.find("\xC2\x9B"), std::string::npos);
+    EXPECT_FALSE(has(outcome.out, "\xC2\x9B"));
   }
-  EXPECT_NE(run("esc.json").out.find("f\\x1b[0m\\x0ag"), std::string::npos);
+  EXPECT_TRUE(has(run("esc.json").out, "f\\x1b[0m\\x0ag"));
 }
 
 TEST_F(FitCommand, LightIsReadBackAndMeetsItsTarget) {
@@ -197,9 +197,9 @@ TEST_F(FitCommand, RobustFitLeavesAnOutlierAside) {
     samples += (samples.empty() ? "" : ", ") + ("{\"range_m\": " + std::to_string(range)) +
                ", \"attenuation\": " + std::to_string(value) + "}";
   }
-  write("measured.json", R"({"litfog": "light-spec", "version": 1, "range": {"samples": [)" + samples + "]}}");
+  write_spec("measured.json", R"("range": {"samples": [)" + samples + "]}");
   const Outcome plain = run("measured.json -o plain.json");
-  EXPECT_NE(plain.out.find("try --robust"), std::string::npos) << plain.out;
+  EXPECT_TRUE(has(plain.out, "try --robust"));
   ASSERT_EQ(run("measured.json -o robust.json --robust").status, kDone);
   const auto error = [this](const std::string& name) {
     return std::abs(attenuation_at(light(name).attenuation, 60) * (1 + 0.6 + 3.6) - 1);
@@ -213,7 +213,7 @@ TEST_F(FitCommand, InfeasibleTargetHasItsReasonAndStillALight) {
   const Outcome outcome = run("far.json -o light.json");
   EXPECT_EQ(outcome.status, kNotToTolerance);
   EXPECT_TRUE(outcome.err.starts_with("far.json: range: infeasible: ")) << outcome.err;
-  EXPECT_NE(run("far.json --details").out.find("Range: infeasible"), std::string::npos);
+  EXPECT_TRUE(has(run("far.json --details").out, "Range: infeasible"));
   const Light best = light("light.json");
   EXPECT_NEAR(compute_extent(best.attenuation, best.threshold), 100, 1e-10);
   EXPECT_EQ(nlohmann::json::parse(read("light.json"))["fit"]["range"]["status"], "infeasible");
@@ -240,8 +240,8 @@ TEST_F(FitCommand, SeveralInputsMakeALightEachATableAndTheWorstStatus) {
   write("far.json", kInfeasible);
   const Outcome outcome = run("lamp.json far.json bad.json spot.ies -o lights");
   EXPECT_EQ(outcome.status, kBadInput);
-  EXPECT_NE(outcome.err.find("bad.json:1:1: litfog: must be given\n"), std::string::npos);
-  EXPECT_NE(outcome.err.find("far.json: range: infeasible: "), std::string::npos);
+  EXPECT_TRUE(has(outcome.err, "bad.json:1:1: litfog: must be given\n"));
+  EXPECT_TRUE(has(outcome.err, "far.json: range: infeasible: "));
   EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), 5);
   EXPECT_TRUE(outcome.out.starts_with("input "));
   for (const char* name : {"lights/lamp.json", "lights/far.json", "lights/spot.json"}) {
@@ -260,9 +260,9 @@ TEST_F(FitCommand, PhotometricFileIsALight) {
   EXPECT_NEAR(candela(fitted).r, 100, 1e-12);
   EXPECT_EQ(fitted.source_radius, 0.05);
   const std::string report = run("spot.ies").out;
-  EXPECT_NE(report.find("The beam is not rotationally symmetric"), std::string::npos);
+  EXPECT_TRUE(has(report, "The beam is not rotationally symmetric"));
   const std::string details = run("spot.ies --details").out;
-  EXPECT_NE(details.find("down, the photometric axis; the peak is 0 deg off it"), std::string::npos) << details;
+  EXPECT_TRUE(has(details, "down, the photometric axis; the peak is 0 deg off it"));
 }
 
 TEST_F(FitCommand, CookieIsTheDistributionByDirection) {
@@ -288,15 +288,15 @@ TEST_F(FitCommand, PlotsArePicturesOfTheirEnding) {
   ASSERT_EQ(run("beam.json --plot fit.svg").status, kDone);
   for (const char* label : {"range (m)", "angle from the axis (deg)", "smoothstep", "target", "error (%)",
                             "intensity (cd)", ">50 %<", ">10 %<", "threshold"}) {
-    EXPECT_NE(read("fit.svg").find(label), std::string::npos) << label;
+    EXPECT_TRUE(has(read("fit.svg"), label));
   }
 }
 
 TEST_F(FitCommand, PlotNamesPlanesOfTheBeamAsItsDataSheetDoes) {
-  write("ellipse.json", R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": [24, 6]}})");
+  write_spec("ellipse.json", R"("cone": {"beam_angle_deg": [24, 6]})");
   const auto expect_labels = [&](const std::string& arguments, const std::vector<const char*>& labels) {
     run(arguments + " --plot fit.svg");
-    for (const char* label : labels) EXPECT_NE(read("fit.svg").find(label), std::string::npos) << arguments << label;
+    for (const char* label : labels) EXPECT_TRUE(has(read("fit.svg"), label)) << arguments;
   };
   expect_labels("spot.ies", {"intensity (cd)", ">C0-C180<", ">C90-C270<"});
   expect_labels("spot.ies --axis 0,5", {">turn 0-180°<", ">turn 90-270°<"});
@@ -305,19 +305,19 @@ TEST_F(FitCommand, PlotNamesPlanesOfTheBeamAsItsDataSheetDoes) {
 
 TEST_F(FitCommand, PlotOfLightsOfOneNameHasTheNamesOfTheirFiles) {
   for (const char* name : {"white.json", "red.json"}) {
-    write(name, R"({"litfog": "light-spec", "version": 1, "name": "edge", "range": {"extent_m": 50}})");
+    write_spec(name, R"("name": "edge", "range": {"extent_m": 50})");
   }
   EXPECT_EQ(run("white.json --against red.json --plot both.svg").status, kDone);
   for (const char* label : {">white.json<", ">red.json<", ">white.json / red.json<"}) {
-    EXPECT_NE(read("both.svg").find(label), std::string::npos) << label;
+    EXPECT_TRUE(has(read("both.svg"), label));
   }
 }
 
 TEST_F(FitCommand, PlotOfLightsOfVeryDifferentReachHasALogarithmicRange) {
-  write("near.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 50}})");
-  write("far.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 50000,
-        "samples": [{"range_m": 0, "attenuation": 1}, {"range_m": 50000, "attenuation": 0.05}]}})");
-  write("farther.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 60000}})");
+  write_spec("near.json", R"("range": {"extent_m": 50})");
+  write_spec("far.json", R"("range": {"extent_m": 50000,
+        "samples": [{"range_m": 0, "attenuation": 1}, {"range_m": 50000, "attenuation": 0.05}]})");
+  write_spec("farther.json", R"("range": {"extent_m": 60000})");
   const auto has_thousand = [&](const std::string& lights) {
     EXPECT_EQ(run(lights + " --plot both.svg").status, kDone) << lights;
     return read("both.svg").find(">1000<") != std::string::npos;
@@ -327,25 +327,21 @@ TEST_F(FitCommand, PlotOfLightsOfVeryDifferentReachHasALogarithmicRange) {
 }
 
 TEST_F(FitCommand, ReportShowsNumbersAsTheyWereWritten) {
-  write("bright.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 1234567, "end_lx": 2.25}})");
-  EXPECT_NE(run("bright.json --details")
-                .out.find("sqrt((1 - 0.05) * 1234567 cd / 2.25 lx) = 721.985 m, where the light gives 2.25 lx."),
-            std::string::npos);
-  write("far.json",
-        R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 450.123456, "threshold": 0.0123456}})");
-  EXPECT_NE(
-      run("far.json --details").out.find("450.123456 m, where the attenuation is 0.0123456 (wanted 450.123456 m)"),
-      std::string::npos);
-  write("beyond.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 12345.678, "constant": 20.1}})");
-  EXPECT_NE(run("beyond.json").err.find(" an extent of 108.298 m at threshold 0.05: from 0 to 19.99998 can\n"),
-            std::string::npos);
-  EXPECT_NE(run("beyond.json").out.find("poor: no attenuation has the extent and constant given"), std::string::npos);
+  write_spec("bright.json", R"("range": {"peak_cd": 1234567, "end_lx": 2.25})");
+  EXPECT_TRUE(has(run("bright.json --details").out,
+                  "sqrt((1 - 0.05) * 1234567 cd / 2.25 lx) = 721.985 m, where the light gives 2.25 lx."));
+  write_spec("far.json", R"("range": {"extent_m": 450.123456, "threshold": 0.0123456})");
+  EXPECT_TRUE(
+      has(run("far.json --details").out, "450.123456 m, where the attenuation is 0.0123456 (wanted 450.123456 m)"));
+  write_spec("beyond.json", R"("range": {"peak_cd": 12345.678, "constant": 20.1})");
+  EXPECT_TRUE(has(run("beyond.json").err, " an extent of 108.298 m at threshold 0.05: from 0 to 19.99998 can\n"));
+  EXPECT_TRUE(has(run("beyond.json").out, "poor: no attenuation has the extent and constant given"));
 }
 
 TEST_F(FitCommand, ReportHasNoErrorsThatAreRounding) {
-  write("one-angle.json", R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": 36}})");
+  write_spec("one-angle.json", R"("cone": {"beam_angle_deg": 36})");
   const std::string report = run("one-angle.json --details").out;
-  EXPECT_NE(report.find("50 % angle off"), std::string::npos);
+  EXPECT_TRUE(has(report, "50 % angle off"));
   for (auto at = report.find(" %"); at != std::string::npos; at = report.find(" %", at + 1)) {
     EXPECT_NE(report.substr(at - 4, 2), "e-") << report.substr(at - 16, 20);
   }
@@ -358,23 +354,22 @@ TEST_F(FitCommand, AdviceNamesTheProfileWhoseFluxIsNearer) {
     return nlohmann::json::parse(run("lamp.ies --format json").out)[0]["advice"].dump();
   };
   const std::string bright_to_the_end = advice_on("0 30 60 80 90", "100 95 80 70 60");
-  EXPECT_NE(bright_to_the_end.find("off by +24 %. Of --profile cosine it is off by +1 %."), std::string::npos)
-      << bright_to_the_end;
+  EXPECT_TRUE(has(bright_to_the_end, "off by +24 %. Of --profile cosine it is off by +1 %."));
   const std::string wide_spill = advice_on("0 5 10 15 90", "100 50 6 5 5");
-  EXPECT_NE(wide_spill.find("it leaves out much of the beam's spill"), std::string::npos) << wide_spill;
-  EXPECT_EQ(wide_spill.find("--profile"), std::string::npos) << wide_spill;
+  EXPECT_TRUE(has(wide_spill, "it leaves out much of the beam's spill"));
+  EXPECT_FALSE(has(wide_spill, "--profile"));
 }
 
 TEST_F(FitCommand, LargeNumbersOfAReportHaveNoExponents) {
-  write("axis.json", R"({"litfog": "light-spec", "version": 1, "color": [12345678, 1, 1],
+  write_spec("axis.json", R"("color": [12345678, 1, 1],
     "range": {"samples": [{"range_m": 1, "attenuation": 1}, {"range_m": 2, "attenuation": 1e-5},
                           {"range_m": 3, "attenuation": 1}]},
     "cone": {"samples": [{"angle_deg": 0, "intensity": 100}, {"angle_deg": 1, "intensity": 0},
-                         {"angle_deg": 90, "intensity": 0}]}})");
+                         {"angle_deg": 90, "intensity": 0}]})");
   const Outcome outcome = run("axis.json --details");
-  EXPECT_NE(outcome.out.find("degrees with 100 % of the peak"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "degrees with 100 % of the peak"));
   for (const char* exponent : {"e+02", "e+03", "e+04", "e+05", "e+06", "e+07", "e+08"}) {
-    EXPECT_EQ((outcome.out + outcome.err).find(exponent), std::string::npos) << outcome.out;
+    EXPECT_FALSE(has(outcome.out + outcome.err, exponent));
   }
 }
 
@@ -384,10 +379,9 @@ TEST_F(FitCommand, AdviceNamesASecondBeam) {
           "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 7 1 1 2 0 0 0\n1 1 10\n0 20 40 90 140 160 180\n0\n" + candela + "\n");
     return nlohmann::json::parse(run("lamp.ies --format json" + options).out)[0]["advice"].dump();
   };
-  EXPECT_NE(
-      advice_on("100 50 5 0 5 40 80").find("A second beam, 80 % as bright, goes the other way: --axis up fits it"),
-      std::string::npos);
-  EXPECT_NE(advice_on("100 50 5 0 5 40 80", " --axis up").find("--axis down fits it"), std::string::npos);
+  EXPECT_TRUE(
+      has(advice_on("100 50 5 0 5 40 80"), "A second beam, 80 % as bright, goes the other way: --axis up fits it"));
+  EXPECT_TRUE(has(advice_on("100 50 5 0 5 40 80", " --axis up"), "--axis down fits it"));
   write("lamp.ies",
         "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 7 1 1 2 0 0 0\n1 1 10\n0 20 40 90 140 160 180\n0\n"
         "100 50 5 0 5 40 80\n");
@@ -402,7 +396,7 @@ TEST_F(FitCommand, AdviceNamesASecondBeam) {
   ASSERT_NE(at, std::string::npos) << advice;
   EXPECT_NEAR(std::stod(advice.substr(at + 10)) / both, 1, 1e-3) << "of both lights as they are written";
   for (const char* candela : {"100 50 5 0 0 0 0", "100 50 5 0 0 5 10", "100 95 90 85 80 75 70"}) {
-    EXPECT_EQ(advice_on(candela).find("second beam"), std::string::npos) << candela;
+    EXPECT_FALSE(has(advice_on(candela), "second beam")) << candela;
   }
 }
 
@@ -428,8 +422,7 @@ TEST_F(FitCommand, ReportHasFifteenLinesAtMostAndTheLightsCandelaBesideTheFiles)
       expect_shown(data, "beam");
       expect_shown(light, "light_beam");
     }
-    EXPECT_NE(report.find(json["verdict"].get<std::string>() + ": " + json["why"].get<std::string>() + "\n"),
-              std::string::npos);
+    EXPECT_TRUE(has(report, json["verdict"].get<std::string>() + ": " + json["why"].get<std::string>() + "\n"));
   }
 }
 
@@ -458,13 +451,13 @@ TEST_F(FitCommand, AxisIsAdvisedOnlyWhereItsConeIsNearerToTheBeam) {
     EXPECT_EQ(is_advised, peak < 0.95 * down) << report << peak << " " << down;
     is_some_advised = is_some_advised || is_advised;
   }
-  EXPECT_EQ(run("street.ies").out.find("--axis peak"), std::string::npos);
+  EXPECT_FALSE(has(run("street.ies").out, "--axis peak"));
   EXPECT_TRUE(is_some_advised);
 }
 
 TEST_F(FitCommand, AdviceNamesThePeakOfOneAngleAndColorsInBytes) {
   const auto has_advice = [&](const std::string& members, const std::string& part) {
-    write("spec.json", R"({"litfog": "light-spec", "version": 1, )" + members + "}");
+    write_spec("spec.json", members);
     return nlohmann::json::parse(run("spec.json --format json").out)[0]["advice"].dump().find(part) !=
            std::string::npos;
   };
@@ -477,7 +470,7 @@ TEST_F(FitCommand, AdviceNamesThePeakOfOneAngleAndColorsInBytes) {
   const std::string of_luminance = "color's luminance is 0.5";
   EXPECT_TRUE(has_advice(R"("color": [0.5, 0.5, 0.5], "range": {"peak_cd": 100})", of_luminance));
   EXPECT_FALSE(has_advice(R"("color": [0.5, 0.5, 0.5], "range": {"extent_m": 100})", of_luminance));
-  write("dim.json", R"({"litfog": "light-spec", "version": 1, "color": [0.5, 0.5, 0.5], "range": {"peak_cd": 100}})");
+  write_spec("dim.json", R"("color": [0.5, 0.5, 0.5], "range": {"peak_cd": 100})");
   EXPECT_TRUE(run("dim.json").err.starts_with("dim.json: poor: intensity off by -50 %"));
   EXPECT_FALSE(has_advice(R"("color": [1.727, 0.864, 0.207], "range": {"peak_cd": 100})", "color"));
   const std::string of_size = "a source radius of 0.05 m is taken";
@@ -491,7 +484,7 @@ TEST_F(FitCommand, AdviceNamesThePeakOfOneAngleAndColorsInBytes) {
 
 TEST_F(FitCommand, ValuesOfAnotherKindAreAnsweredWithTheirRule) {
   const auto expect_rule = [&](const std::string& members, const std::string& end) {
-    write("spec.json", R"({"litfog": "light-spec", "version": 1, )" + members + "}");
+    write_spec("spec.json", members);
     const std::string message = run("spec.json").err;
     EXPECT_TRUE(message.ends_with(end + "\n")) << message;
   };
@@ -506,7 +499,7 @@ TEST_F(FitCommand, ValuesOfAnotherKindAreAnsweredWithTheirRule) {
   expect_rule(R"("range": {"extent_m": 9,})", "must be a member's name in quotes; leave out the comma before it");
   expect_rule(R"("color": [1, 1, 1,], "range": {"extent_m": 9})", "; leave out the comma before it");
   write("header.csv", "candela,horizontal,vertical\n9,2,1\n");
-  EXPECT_NE(run("header.csv").err.find("header = candela,horizontal,vertical: must be "), std::string::npos);
+  EXPECT_TRUE(has(run("header.csv").err, "header = candela,horizontal,vertical: must be "));
 }
 
 TEST_F(FitCommand, BadInputIsAnErrorAndNothingIsWritten) {
@@ -567,7 +560,7 @@ TEST_F(FitCommand, WrongUsageIsAnErrorBeforeAnyWork) {
 }
 
 TEST_F(FitCommand, OptionWithoutEffectIsAnErrorBeforeAnythingIsWritten) {
-  write("reach.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 100}})");
+  write_spec("reach.json", R"("range": {"extent_m": 100})");
   expect_usage_error("spot.ies --force", "--force cannot be given with no output: it replaces files");
   expect_usage_error("spot.ies beam.json --details",
                      "--details cannot be given with several inputs: it shows a single light");
@@ -586,7 +579,7 @@ TEST_F(FitCommand, OptionWithoutEffectIsAnErrorBeforeAnythingIsWritten) {
 }
 
 TEST_F(FitCommand, OutputThatReplacesAnInputOrAnotherOutputIsAnErrorBeforeAnythingIsWritten) {
-  write("spot.json", R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "tilted.ies"}})");
+  write_spec("spot.json", R"("cone": {"photometry": "tilted.ies"})");
   std::string tilted = kIes;
   tilted.replace(tilted.find("NONE"), 4, "lamp.tlt");
   write("tilted.ies", tilted);
@@ -666,8 +659,7 @@ TEST_F(FitCommand, FactorThatTakesIntensitiesOutOfRangeIsAnErrorOfItsFileAlone) 
   bright.replace(bright.find("TILT=NONE"), 9, "TILT=INCLUDE\n1 2\n0 90\n1e300 1e300");
   write("bright.ies", bright);
   write("faint.ies", "IESNA:LM-63-2002\nTILT=NONE\n1 1000 1e-300 2 1 1 2 0 0 0\n1 1 0\n0 90\n0\n100 100\n");
-  write("raised.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 1e30},
-    "cone": {"photometry": "faint.ies"}})");
+  write_spec("raised.json", R"("range": {"peak_cd": 1e30}, "cone": {"photometry": "faint.ies"})");
   fs::create_directory(directory() / "lights");
   const Outcome outcome = run("bright.ies raised.json spot.ies -o lights");
   EXPECT_EQ(outcome.status, kBadInput);
@@ -696,9 +688,9 @@ TEST_F(FitCommand, PlotIsAMissingCapabilityWithoutGnuplot) {
 // ---- what the report says is so ----
 
 TEST_F(FitCommand, ReportHasTheIlluminanceOfTheLightNearAndFar) {
-  write("near.json", R"({"litfog": "light-spec", "version": 1, "source_radius_m": 0.5, "range": {"peak_cd": 1000}})");
+  write_spec("near.json", R"("source_radius_m": 0.5, "range": {"peak_cd": 1000})");
   const std::string report = run("near.json --details").out;
-  EXPECT_NE(report.find("  source radius   0.5 m\n"), std::string::npos) << report;
+  EXPECT_TRUE(has(report, "  source radius   0.5 m\n"));
   std::istringstream rows(report.substr(report.find("range_m")));
   std::string columns;
   std::getline(rows, columns);
@@ -711,14 +703,14 @@ TEST_F(FitCommand, ReportHasTheIlluminanceOfTheLightNearAndFar) {
     EXPECT_NEAR(data, 1000 / (range * range), 1e-4 * data);
     EXPECT_NEAR(error, 100 * (wanted / data - 1), 0.005 * std::abs(error));
   }
-  write("reach.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 100}})");
-  EXPECT_EQ(run("reach.json --details").out.find("data_lx"), std::string::npos) << "nothing is stated";
+  write_spec("reach.json", R"("range": {"extent_m": 100})");
+  EXPECT_FALSE(has(run("reach.json --details").out, "data_lx")) << "nothing is stated";
 }
 
 TEST_F(FitCommand, ErrorsOfAFalloffTableAreTheSameSignedFractionsInTextAndJson) {
-  write("table.json", R"({"litfog": "light-spec", "version": 1, "range": {"constant": 1, "samples": [
+  write_spec("table.json", R"("range": {"constant": 1, "samples": [
     {"range_m": 1, "attenuation": 0.9}, {"range_m": 2, "attenuation": 0.7}, {"range_m": 4, "attenuation": 0.38},
-    {"range_m": 6, "attenuation": 0.4}, {"range_m": 8, "attenuation": 0.14}]}})");
+    {"range_m": 6, "attenuation": 0.4}, {"range_m": 8, "attenuation": 0.14}]})");
   const auto report = nlohmann::json::parse(run("table.json --format json").out)[0];
   const auto& attenuation = report["light"]["attenuation"];
   const Attenuation fitted{attenuation["constant"], attenuation["linear"], attenuation["quadratic"]};
@@ -729,8 +721,8 @@ TEST_F(FitCommand, ErrorsOfAFalloffTableAreTheSameSignedFractionsInTextAndJson) 
   char percent[32];
   std::snprintf(percent, sizeof percent, "%.3g %%", 100 * error);
   const std::string text = run("table.json --details").out;
-  EXPECT_NE(text.find("largest " + std::string(percent)), std::string::npos) << text;
-  EXPECT_NE(text.find("by " + std::string(percent) + " at one sample"), std::string::npos) << text;
+  EXPECT_TRUE(has(text, "largest " + std::string(percent)));
+  EXPECT_TRUE(has(text, "by " + std::string(percent) + " at one sample"));
 }
 
 TEST_F(FitCommand, UplightsConePointsUp) {
@@ -827,12 +819,12 @@ TEST_F(FitCommand, ContoursAreFirstToldToBeMinima) {
   EXPECT_TRUE(
       advice_on("ellipses.csv").starts_with("[\"5000 cd is what the inner ellipse states. A standard's are minima"))
       << advice_on("ellipses.csv");
-  EXPECT_EQ(advice_on("grid.csv").find("minima"), std::string::npos);
+  EXPECT_FALSE(has(advice_on("grid.csv"), "minima"));
 }
 
 TEST_F(FitCommand, DerivedFiguresAreToldWithTheirSteps) {
-  write("steps.json", R"({"litfog": "light-spec", "version": 1, "source": "maker", "color_temperature_k": 3200,
-    "range": {"flux_lm": 900, "end_lx": "night"}, "cone": {"beam_angle_deg": [24, 6], "field_angle_deg": [48, 12]}})");
+  write_spec("steps.json", R"("source": "maker", "color_temperature_k": 3200,
+    "range": {"flux_lm": 900, "end_lx": "night"}, "cone": {"beam_angle_deg": [24, 6], "field_angle_deg": [48, 12]})");
   const auto report = nlohmann::json::parse(run("steps.json --format json").out)[0];
   ASSERT_EQ(report["derived"].size(), 6u) << "color, two angles, peak, extent, color";
   EXPECT_EQ(report["light"]["source"].size(), 7u) << "the maker's and the steps";
@@ -841,14 +833,14 @@ TEST_F(FitCommand, DerivedFiguresAreToldWithTheirSteps) {
   EXPECT_EQ(report["beam"]["field_angle_deg"], nlohmann::json::parse("[48, 12]"));
   EXPECT_EQ(report["verdict"], "poor") << "half of the beam is not round";
   const std::string text = run("steps.json --details").out;
-  for (const auto& step : report["derived"]) EXPECT_NE(text.find(step.get<std::string>()), std::string::npos) << step;
-  EXPECT_NE(text.find("24 deg horizontally, 6 deg vertically"), std::string::npos) << text;
-  EXPECT_NE(text.find("--cookie keeps its shape"), std::string::npos) << text;
+  for (const auto& step : report["derived"]) EXPECT_TRUE(has(text, step.get<std::string>())) << step;
+  EXPECT_TRUE(has(text, "24 deg horizontally, 6 deg vertically"));
+  EXPECT_TRUE(has(text, "--cookie keeps its shape"));
 }
 
 TEST_F(FitCommand, CookieOfAnEllipticalBeamIsElliptical) {
-  write("oval.json", R"({"litfog": "light-spec", "version": 1, "range": {"extent_m": 9},
-    "cone": {"beam_angle_deg": [60, 20], "field_angle_deg": [90, 30]}})");
+  write_spec("oval.json", R"("range": {"extent_m": 9},
+    "cone": {"beam_angle_deg": [60, 20], "field_angle_deg": [90, 30]})");
   run("oval.json --cookie oval.exr --cookie-size 65");
   const auto cookie = litfog::read_cookie((directory() / "oval.exr").string());
   const auto at = [&cookie](double horizontal_deg, double vertical_deg) {
@@ -893,12 +885,12 @@ TEST_F(FitCommand, VerdictTellsAPoorLightWhateverItsProof) {
   EXPECT_EQ(report["verdict"], "poor");
   EXPECT_EQ("spill.ies: poor: " + report["why"].get<std::string>() + "\n", outcome.err);
   EXPECT_TRUE(files().contains("light.json")) << "the best light";
-  EXPECT_NE(run("spill.ies").out.find("\n  poor: flux off by -"), std::string::npos);
+  EXPECT_TRUE(has(run("spill.ies").out, "\n  poor: flux off by -"));
   // The same beam as a table of a spec.
-  write("spill.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 1000}, "cone": {"samples": [
+  write_spec("spill.json", R"("range": {"peak_cd": 1000}, "cone": {"samples": [
       {"angle_deg": 0, "intensity": 1000}, {"angle_deg": 1, "intensity": 900}, {"angle_deg": 2, "intensity": 500},
       {"angle_deg": 3, "intensity": 200}, {"angle_deg": 4, "intensity": 60}, {"angle_deg": 5, "intensity": 30},
-      {"angle_deg": 30, "intensity": 30}, {"angle_deg": 60, "intensity": 30}, {"angle_deg": 90, "intensity": 0}]}})");
+      {"angle_deg": 30, "intensity": 30}, {"angle_deg": 60, "intensity": 30}, {"angle_deg": 90, "intensity": 0}]})");
   EXPECT_TRUE(run("spill.json").err.starts_with("spill.json: poor: flux off by -"));
   const auto exact = nlohmann::json::parse(run("beam.json --format json").out)[0];
   EXPECT_EQ(exact["verdict"], "good");
@@ -908,20 +900,20 @@ TEST_F(FitCommand, VerdictTellsAPoorLightWhateverItsProof) {
 }
 
 TEST_F(FitCommand, VerdictHasTheNumbersOfTheReport) {
-  write("rising.json", R"({"litfog": "light-spec", "version": 1, "range": {"samples": [
-      {"range_m": 10, "attenuation": 0.1}, {"range_m": 20, "attenuation": 0.5}]}})");
+  write_spec("rising.json", R"("range": {"samples": [
+      {"range_m": 10, "attenuation": 0.1}, {"range_m": 20, "attenuation": 0.5}]})");
   const Outcome outcome = run("rising.json --details");
   EXPECT_EQ(outcome.err,
             "rising.json: poor: attenuation off by 95.7 % (rms); a sample of the attenuation off by +124 %\n");
-  EXPECT_NE(outcome.out.find("rms 95.7 %, largest +124 %, of the attenuation"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "rms 95.7 %, largest +124 %, of the attenuation"));
 }
 
 TEST_F(FitCommand, ExponentAtItsBoundIsHeld) {
-  write("ring.json", R"({"litfog": "light-spec", "version": 1, "cone": {"profile": "cosine", "samples": [
-      {"angle_deg": 0, "intensity": 10}, {"angle_deg": 30, "intensity": 100}, {"angle_deg": 60, "intensity": 10}]}})");
+  write_spec("ring.json", R"("cone": {"profile": "cosine", "samples": [
+      {"angle_deg": 0, "intensity": 10}, {"angle_deg": 30, "intensity": 100}, {"angle_deg": 60, "intensity": 10}]})");
   const std::string report = run("ring.json --details").out;
-  EXPECT_NE(report.find("held by         exponent = 0\n"), std::string::npos) << report;
-  EXPECT_NE(report.find("uncertainty     exponent held\n"), std::string::npos) << report;
+  EXPECT_TRUE(has(report, "held by         exponent = 0\n"));
+  EXPECT_TRUE(has(report, "uncertainty     exponent held\n"));
 }
 
 TEST_F(FitCommand, BeamHasTwoAnglesWhereItIsNotRound) {
@@ -972,8 +964,7 @@ TEST_F(FitCommand, FilesInAContainerAreInputsNamedByTheirPathsInIt) {
   entries.emplace_back("product.xml", product + "</Files></GeneralDefinitions></Root>");
   write_zip((directory() / "set.gldf").string(), entries);
   fs::create_directory(directory() / "lights");
-  const Outcome outcome = run("set.gldf -o lights");
-  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  expect_done("set.gldf -o lights");
   for (const char* name : {"lights/set-wide-lamp.json", "lights/set-narrow-lamp.json", "lights/set-spot.json"}) {
     EXPECT_TRUE(files().contains(name)) << name;
   }
@@ -982,7 +973,7 @@ TEST_F(FitCommand, FilesInAContainerAreInputsNamedByTheirPathsInIt) {
 TEST_F(FitCommand, OutputThatAnotherInputReadsIsNotWritten) {
   fs::create_directory(directory() / "lights");
   write("lights/beam.json", kIes);
-  write("measured.json", R"({"litfog": "light-spec", "version": 1, "cone": {"photometry": "lights/beam.json"}})");
+  write_spec("measured.json", R"("cone": {"photometry": "lights/beam.json"})");
   expect_usage_error("beam.json measured.json -o lights",
                      "-o = lights/beam.json: must not be a file that is read, lights/beam.json");
   EXPECT_EQ(read("lights/beam.json"), kIes);
@@ -1007,8 +998,7 @@ TEST_F(FitCommand, FolderStandsForTheSpecsAndPhotometricFilesInIt) {
   write("lamps/notes.txt", "no lamp");
   write("lamps/page.xml", "<html/>");
   write("lamps/table.csv", "a,b\n1,2\n");
-  const Outcome outcome = run("lamps --format csv");
-  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  const Outcome outcome = expect_done("lamps --format csv");
   EXPECT_EQ(inputs_of(outcome.out),
             (std::vector<std::string>{"lamps/LAMP.JSON", "lamps/b.ies", "lamps/beam.json", "lamps/deep/A.IES"}));
   fs::create_directory(directory() / "lights");
@@ -1026,8 +1016,7 @@ TEST_F(FitCommand, LinksThatLeadNowhereInAFolderArePassedOver) {
   fs::create_symlink("gone", directory() / "lamps/gone.ies");
   fs::create_symlink(".", directory() / "lamps/same");
   write("lamps/spot.ies", kIes);
-  const Outcome outcome = run("lamps --format csv");
-  EXPECT_EQ(outcome.status, kDone);
+  const Outcome outcome = expect_done("lamps --format csv");
   EXPECT_EQ(outcome.err, "");
   EXPECT_EQ(inputs_of(outcome.out), std::vector<std::string>{"lamps/spot.ies"});
 }
@@ -1055,11 +1044,11 @@ TEST_F(FitCommand, WhatCannotBeReadInAFolderIsNamedAndTheOthersAreFitted) {
             "lamps/secret.csv: cannot be read: Permission denied\n"
             "lamps/secret.json: cannot be read: Permission denied\n");
   for (const char* line : {"\nlamps/open/spot.ies,9.74679", "\nlamps/open/beam.json,100,", "\nspot.ies,9.74679"}) {
-    EXPECT_NE(outcome.out.find(line), std::string::npos) << line << outcome.out;
+    EXPECT_TRUE(has(outcome.out, line));
   }
   const Outcome alone = run("lamps/locked spot.ies --format csv", user);
   EXPECT_EQ(alone.err, "lamps/locked: cannot be searched: Permission denied\n");
-  EXPECT_NE(alone.out.find("\nspot.ies,9.74679"), std::string::npos) << alone.out;
+  EXPECT_TRUE(has(alone.out, "\nspot.ies,9.74679"));
   for (const char* folder : {"locked", "listed"}) fs::permissions(directory() / "lamps" / folder, owner_all);
 }
 
@@ -1078,7 +1067,7 @@ TEST_F(FitCommand, InputOfAnyErrorIsNamedAndTheOthersAreFitted) {
   }
   EXPECT_FALSE(std::getline(lines, line)) << line;
   EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"cut.xml", "absent-light", "cut.gldf", "spot.ies"}));
-  EXPECT_NE(outcome.out.find("\nspot.ies,9.74679"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "\nspot.ies,9.74679"));
 }
 
 TEST_F(FitCommand, LightThatCannotBeWrittenIsNamedAndTheOthersAreWritten) {
@@ -1095,9 +1084,9 @@ TEST_F(FitCommand, LightThatCannotBeWrittenIsNamedAndTheOthersAreWritten) {
 TEST_F(FitCommand, BundledLightIsFoundByItsNameUnlessAFileHasIt) {
   EXPECT_ERROR(run("landing-lmap"), kBadInput,
                "landing-lmap: must be a file or a bundled light; did you mean landing-lamp?\n");
-  EXPECT_NE(run("landing-lamp").out.find("landing-lamp.json"), std::string::npos);
+  EXPECT_TRUE(has(run("landing-lamp").out, "landing-lamp.json"));
   write("landing-lamp", kIes);
-  EXPECT_NE(run("landing-lamp").out.find("spot, from landing-lamp\n"), std::string::npos);
+  EXPECT_TRUE(has(run("landing-lamp").out, "spot, from landing-lamp\n"));
   EXPECT_EQ(run("no-such-lamp").status, kBadInput);
 }
 
@@ -1156,12 +1145,11 @@ TEST_F(FitCommand, LightsAreTheSameFromOneInputAndFromMany) {
 TEST_F(FitCommand, LongNamesAreShortenedInPlots) {
   std::string name;
   for (int i = 0; i < 60; ++i) name += "é";
-  write("long.json",
-        R"({"litfog": "light-spec", "version": 1, "name": ")" + name + R"(", "cone": {"beam_angle_deg": 20}})");
+  write_spec("long.json", R"("name": ")" + name + R"(", "cone": {"beam_angle_deg": 20})");
   ASSERT_EQ(run("long.json --against beam.json --plot both.svg").status, kDone);
   const std::string svg = read("both.svg");
-  EXPECT_NE(svg.find(">" + name.substr(0, 2 * 40) + "…<"), std::string::npos);
-  EXPECT_EQ(svg.find(name.substr(0, 2 * 55)), std::string::npos);  // in the title
+  EXPECT_TRUE(has(svg, ">" + name.substr(0, 2 * 40) + "…<"));
+  EXPECT_FALSE(has(svg, name.substr(0, 2 * 55)));  // in the title
 }
 
 TEST_F(FitCommand, RingIsCalledOneAndNotABeamAimedElsewhere) {
@@ -1170,32 +1158,29 @@ TEST_F(FitCommand, RingIsCalledOneAndNotABeamAimedElsewhere) {
   ring.replace(ring.find("100 50 10 0 0 0"), 15, "20 40 60 100 9 0");
   write("ring.ies", ring);
   const Outcome outcome = run("ring.ies");
-  EXPECT_NE(outcome.out.find("The beam is a ring, brightest 15 degrees off the axis"), std::string::npos)
-      << outcome.out;
-  EXPECT_EQ(outcome.out.find("--axis peak"), std::string::npos) << outcome.out;
-  EXPECT_EQ(run("spot.ies").out.find("ring"), std::string::npos);
+  EXPECT_TRUE(has(outcome.out, "The beam is a ring, brightest 15 degrees off the axis"));
+  EXPECT_FALSE(has(outcome.out, "--axis peak"));
+  EXPECT_FALSE(has(run("spot.ies").out, "ring"));
 }
 
 TEST_F(FitCommand, VerdictOfWhatIsMetNamesNoError) {
-  write("exact.json", R"({"litfog": "light-spec", "version": 1, "cone": {"beam_angle_deg": 24}})");
+  write_spec("exact.json", R"("cone": {"beam_angle_deg": 24})");
   const Outcome outcome = run("exact.json");
-  EXPECT_NE(outcome.out.find("good: what is stated is met\n"), std::string::npos) << outcome.out;
+  EXPECT_TRUE(has(outcome.out, "good: what is stated is met\n"));
 }
 
 TEST_F(FitCommand, TwoLightsAreInOneTableAndOnePlot) {
-  const Outcome outcome = run("spot.ies --against beam.json --format csv --plot both.svg");
-  EXPECT_EQ(outcome.status, kDone) << outcome.err;
+  const Outcome outcome = expect_done("spot.ies --against beam.json --format csv --plot both.svg");
   EXPECT_EQ(inputs_of(outcome.out), (std::vector<std::string>{"spot.ies", "beam.json"}));
   for (const char* label : {"spot / beam", ">spot<", ">beam<"}) {
-    EXPECT_NE(read("both.svg").find(label), std::string::npos) << label;
+    EXPECT_TRUE(has(read("both.svg"), label));
   }
   expect_usage_error("spot.ies beam.json --against lamp.json",
                      "--against = lamp.json: must be one light, and so must the input");
 }
 
 TEST_F(FitCommand, TwoLightsStandSideBySideInCandelaAndLumens) {
-  write("twice.json", R"({"litfog": "light-spec", "version": 1, "range": {"peak_cd": 200},
-    "cone": {"photometry": "spot.ies"}})");
+  write_spec("twice.json", R"("range": {"peak_cd": 200}, "cone": {"photometry": "spot.ies"})");
   const std::string text = run("spot.ies --against twice.json").out;
   for (const char* name : {"candela", "lumens"}) {
     std::istringstream row(text.substr(text.find(std::string("  ") + name)));
@@ -1236,15 +1221,15 @@ TEST_F(FitCommand, CatalogueHasAPageWithEachLightAndItsPictures) {
         "src=\"lamps/a%20b.png\"", "src=\"lamps/lamp.svg\"",
         "<td><img loading=\"lazy\" alt=\"\" src=\"lamps/lamp.png\"></td>", "<td data-value=\"100\">100</td>",
         "<td>no light</td>", "<p class=\"poor\">bad.ies:1:2: TILT: must be given</p>"}) {
-    EXPECT_NE(page.find(part), std::string::npos) << part;
+    EXPECT_TRUE(has(page, part));
   }
   for (const char* part : {"<script src", "http:", "https:", "//", "<b>"}) {
-    EXPECT_EQ(page.find(part), std::string::npos) << part;
+    EXPECT_FALSE(has(page, part));
   }
   for (const char* name : {"a b", "lamp"}) {
     const std::string file = std::string("cat/lamps/") + name;
     EXPECT_EQ(read(file + ".png").substr(1, 3), "PNG");
-    EXPECT_NE(read(file + ".svg").find("</svg>"), std::string::npos);
+    EXPECT_TRUE(has(read(file + ".svg"), "</svg>"));
     EXPECT_GT(light(file + ".json").attenuation.quadratic, 0);
   }
   EXPECT_FALSE(files().contains("cat/lamps/bad.json"));
@@ -1254,7 +1239,7 @@ TEST_F(FitCommand, CatalogueIsMadeAnewByEachRun) {
   run("lamp.json --catalogue cat --profile cosine");
   write("cat/lamps/lamp.svg", "half");
   EXPECT_EQ(run("lamp.json --catalogue cat --profile smoothstep").status, kDone);
-  EXPECT_NE(read("cat/lamps/lamp.svg").find("</svg>"), std::string::npos);
+  EXPECT_TRUE(has(read("cat/lamps/lamp.svg"), "</svg>"));
   EXPECT_EQ(light("cat/lamps/lamp.json").cone.profile, ConeProfile::smoothstep);
 }
 
@@ -1265,7 +1250,7 @@ TEST_F(FitCommand, LampsOfOneNameAreOneInACatalogueAndTheLaterIsAnError) {
   EXPECT_EQ(outcome.status, kBadInput);
   EXPECT_EQ(outcome.err, "lamps/s-lamp.ies: name in the catalogue = s-lamp: must not be that of lamps/s/lamp.ies\n");
   for (const char* name : {"cat/lamps/s-lamp.png", "cat/lamps/other.png"}) EXPECT_TRUE(files().contains(name)) << name;
-  EXPECT_NE(read("cat/index.html").find("<h1>2 lights of 3 files</h1>"), std::string::npos);
+  EXPECT_TRUE(has(read("cat/index.html"), "<h1>2 lights of 3 files</h1>"));
 }
 
 TEST_F(FitCommand, LampWhoseFilesCannotBeWrittenIsNamedAndTheOthersAreInTheCatalogue) {
@@ -1280,7 +1265,7 @@ TEST_F(FitCommand, LampWhoseFilesCannotBeWrittenIsNamedAndTheOthersAreInTheCatal
   EXPECT_EQ(outcome.err, "lamps/" + lengthy + ".ies: cat/lamps/" + lengthy +
                              ".json: cannot be written: File name too long\n" + "lamps/" + other + ".ies: cat/lamps/" +
                              other + ".json: cannot be written: File name too long\n");
-  EXPECT_NE(read("cat/index.html").find("<h1>40 lights of 42 files</h1>"), std::string::npos);
+  EXPECT_TRUE(has(read("cat/index.html"), "<h1>40 lights of 42 files</h1>"));
   for (int i = 0; i < 40; ++i) EXPECT_TRUE(files().contains("cat/lamps/" + std::to_string(i) + ".json")) << i;
 }
 
@@ -1288,7 +1273,7 @@ TEST_F(FitCommand, CatalogueRemovesWhatAKilledOneLeft) {
   run("spot.ies --catalogue cat");
   for (const char* name : {"cat/.litfog-0123456789abcdef", "cat/lamps/.litfog-0123456789abcdef"}) write(name, "half");
   EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone);
-  for (const std::string& name : files()) EXPECT_EQ(name.find(".litfog-"), std::string::npos) << name;
+  for (const std::string& name : files()) EXPECT_FALSE(has(name, ".litfog-"));
 }
 
 TEST_F(FitCommand, CatalogueReplacesNoFilesButItsOwn) {

@@ -210,7 +210,7 @@ TEST_F(LightFlux, LightOfAStreetLampHasItsFluxAndIsCalledPoorWhereItIsTooDark) {
   EXPECT_EQ(report["beam"]["peak_cd"], 3000);
   EXPECT_LT(report["light_beam"]["peak_error"].get<double>(), -0.33);
   EXPECT_EQ(report["verdict"], "poor");
-  EXPECT_NE(report["why"].get<std::string>().find("% where the beam is brightest"), std::string::npos) << report["why"];
+  EXPECT_TRUE(has(report["why"].get<std::string>(), "% where the beam is brightest")) << report["why"];
 }
 
 TEST_F(LightFlux, LightOfASpecThatScalesAStreetLampHasItsFlux) {
@@ -272,25 +272,22 @@ TEST_F(LightFlux, HotSpotAndSpillAsTwoLightsHaveTheCandelaAndFluxThatOneLacks) {
     text << std::setprecision(digits) << value;
     return text.str();
   };
-  EXPECT_NE(advice.find("--spill writes a second light for it. Both have " +
-                        shown(two["light_beam"]["flux_lm"].get<double>(), 4) + " of the file's "),
-            std::string::npos)
-      << advice;
-  EXPECT_NE(advice.find("off by " + shown(100 * two["light_beam"]["beam_error"].get<double>(), 2) + " % of the beam"),
-            std::string::npos)
-      << advice;
+  EXPECT_TRUE(has(advice, "--spill writes a second light for it. Both have " +
+                              shown(two["light_beam"]["flux_lm"].get<double>(), 4) + " of the file's "));
+  EXPECT_TRUE(
+      has(advice, "off by " + shown(100 * two["light_beam"]["beam_error"].get<double>(), 2) + " % of the beam"));
   EXPECT_EQ(two["advice"], json::array());
 
   const std::string text = run("spot.ies -o light.json --spill spill.json").out;
   for (const char* part : {"both lights", "\n  hot spot  ", "\n  spill  ", " lm, ", "\n  good: "}) {
-    EXPECT_NE(text.find(part), std::string::npos) << part << text;
+    EXPECT_TRUE(has(text, part));
   }
   EXPECT_LE(std::ranges::count(text, '\n'), 15);
 }
 
 TEST_F(LightFlux, BeamThatOneConeFollowsHasNoAdviceOnASecondLight) {
   write("cosine.ies", ies_of([](double degrees) { return 500 * std::pow(std::cos(degrees * pi / 180), 40); }));
-  EXPECT_EQ(report_on("cosine.ies")["advice"].dump().find("--spill"), std::string::npos);
+  EXPECT_FALSE(has(report_on("cosine.ies")["advice"].dump(), "--spill"));
 }
 
 TEST_F(LightFlux, TwoLightsOfASpecHaveItsPeakAndEndWhereItSays) {
@@ -315,7 +312,7 @@ TEST_F(LightFlux, TwoLightsOfWhatHasNoSpillAreRefusedInOneLine) {
                                       {"angles.json", "must be given for two lights, with a range that states no"}}) {
     const Outcome outcome = run(std::string(input) + " -o light.json --spill spill.json");
     EXPECT_EQ(outcome.status, command::kBadInput) << input;
-    EXPECT_NE(outcome.err.find(reason), std::string::npos) << outcome.err;
+    EXPECT_TRUE(has(outcome.err, reason));
     EXPECT_EQ(std::ranges::count(outcome.err, '\n'), 1) << outcome.err;
     EXPECT_FALSE(fs::exists(directory() / "light.json") || fs::exists(directory() / "spill.json")) << input;
   }

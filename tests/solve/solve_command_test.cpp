@@ -70,21 +70,18 @@ constexpr const char* kSolvedHeader =
     "fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,airlight,status\n";
 
 TEST_F(SolveCommand, HelpAndVersionSucceed) {
-  const Outcome help = run("--help");
-  EXPECT_EQ(help.status, kDone);
+  const Outcome help = expect_done("--help");
   EXPECT_EQ(help.err, "");
   for (const char* part : {"Computes how brightly", "Examples:", "Exit status:", "Units:", "--csv", "--visibility"}) {
-    EXPECT_NE(help.out.find(part), std::string::npos) << part;
+    EXPECT_TRUE(has(help.out, part));
   }
-  const Outcome version = run("--version");
-  EXPECT_EQ(version.status, kDone);
+  const Outcome version = expect_done("--version");
   EXPECT_TRUE(std::regex_match(version.out, std::regex("litfog-solve [0-9]+\\.[0-9]+\\.[0-9]+\n"))) << version.out;
 }
 
 TEST_F(SolveCommand, JsonReadsBackAsTheLibrarysResult) {
-  const Outcome outcome = run(
+  const Outcome outcome = expect_done(
       "--constant 1 --linear 0.01 --quadratic 0.0002 --visibility 50,123.4 --fog exp2 --threshold 0.1 --format json");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
   const auto rows = nlohmann::json::parse(outcome.out);
   ASSERT_EQ(rows.size(), 2u);
   for (const auto& row : rows) {
@@ -209,8 +206,7 @@ TEST_F(SolveCommand, ThresholdOptionWinsOverTheLights) {
 }
 
 TEST_F(SolveCommand, ShippedLightsSolve) {
-  const Outcome outcome = run("--light " LITFOG_DATA_DIR "/lights/*.json --visibility 200 --format json");
-  ASSERT_EQ(outcome.status, kDone) << outcome.err;
+  const Outcome outcome = expect_done("--light " LITFOG_DATA_DIR "/lights/*.json --visibility 200 --format json");
   const auto rows = nlohmann::json::parse(outcome.out);
   EXPECT_GE(rows.size(), 12u);
   for (const auto& row : rows) {

@@ -191,7 +191,7 @@ TEST_F(WindowCommand, SteeredWindowShowsAndSavesThePictureThatItsCommandDraws) {
   ASSERT_TRUE(command.starts_with(
       fmt::format("litfog-demo yard.json --visibility {} --scattering single --shadows surfaces --camera ", cat_2)))
       << command;
-  EXPECT_NE(command.find(" --set 'lights[0].attenuation.quadratic="), command.npos) << command;
+  EXPECT_TRUE(has(command, " --set 'lights[0].attenuation.quadratic="));
 }
 
 TEST_F(WindowCommand, KeysFlyToAWallAndNotThroughIt) {
@@ -208,7 +208,7 @@ TEST_F(WindowCommand, KeysFlyToAWallAndNotThroughIt) {
   steer("mousemove 600 150 sleep 0.2 keydown w sleep 4 keyup w sleep 0.2 key ctrl+c");  // 4.5 m a second at first
   const std::string command = next_line();
   const std::string option = "--camera ";
-  ASSERT_NE(command.find(option), command.npos) << command;
+  ASSERT_TRUE(has(command, option));
   double x = 0, y = 0, z = 0;
   ASSERT_EQ(std::sscanf(command.c_str() + command.find(option) + option.size(), "%lf,%lf,%lf", &x, &y, &z), 3)
       << command;
@@ -228,10 +228,10 @@ TEST_F(WindowCommand, LampsAreAddedMovedRemovedAndAllOfItIsUndone) {
   click(348, 279);
   steer("key Delete sleep 0.2 mousemove 20 470");
   const std::string command = expect_picture_of_command("yard-1.png");
-  EXPECT_NE(command.find(R"( --set 'lights[1]={"light":{"name":"lamp",)"), command.npos) << command;
-  EXPECT_NE(command.find(" --set 'lights[0]=null'"), command.npos) << command;
+  EXPECT_TRUE(has(command, R"( --set 'lights[1]={"light":{"name":"lamp",)"));
+  EXPECT_TRUE(has(command, " --set 'lights[0]=null'"));
   steer("key ctrl+z sleep 0.2 key ctrl+z sleep 0.2 key ctrl+z sleep 0.2 key ctrl+c");
-  EXPECT_EQ(next_line().find("--set"), std::string::npos);
+  EXPECT_FALSE(has(next_line(), "--set"));
 }
 
 TEST_F(WindowCommand, ScenesAreOpenedAndReadAgainAndPanelsKeepTheirSizes) {
@@ -253,7 +253,7 @@ TEST_F(WindowCommand, ScenesAreOpenedAndReadAgainAndPanelsKeepTheirSizes) {
     return next_line().starts_with("litfog-demo other.json");
   }));
   EXPECT_TRUE(read("litfog/recent").ends_with("/yard.json\n")) << read("litfog/recent");
-  EXPECT_NE(read("litfog/recent").find("/other.json\n"), std::string::npos);
+  EXPECT_TRUE(has(read("litfog/recent"), "/other.json\n"));
 
   write("other.json", scene("other", "[3, 0.5, 0.5]"));
   std::this_thread::sleep_for(std::chrono::seconds(3));  // it looks twice a second
@@ -291,20 +291,18 @@ TEST_F(WindowCommand, WrongSceneAndWrongOptionsAreToldBeforeAWindowOpens) {
 
 TEST_F(WindowCommand, HelpIsThatOfTheProgramThatHasTheOptions) {
   if (!LITFOG_HAS_WINDOW) GTEST_SKIP() << "litfog-window was not built";
-  const Outcome help = run("window --help");
-  EXPECT_EQ(help.status, kDone);
-  EXPECT_NE(help.out.find("litfog-window [OPTIONS]"), std::string::npos) << help.out;
-  EXPECT_NE(help.out.find("--visibility NUMBER"), std::string::npos) << help.out;
+  const Outcome help = expect_done("window --help");
+  EXPECT_TRUE(has(help.out, "litfog-window [OPTIONS]"));
+  EXPECT_TRUE(has(help.out, "--visibility NUMBER"));
 }
 
 TEST_F(WindowCommand, CommandWithoutItsWindowSaysSo) {
   std::filesystem::copy_file(LITFOG_DEMO_PATH, directory() / "litfog-demo");
   ASSERT_EQ(shell("{ ./litfog-demo window room; echo $? >status; } >out 2>err"), 0);
   EXPECT_EQ(read("status"), fmt::format("{}\n", int(kMissingCapability)));
-  EXPECT_NE(read("err").find("litfog-window cannot be started: No such file or directory (it is built where "
-                             "libglfw3-dev and libimgui-dev are installed)"),
-            std::string::npos)
-      << read("err");
+  EXPECT_TRUE(has(read("err"),
+                  "litfog-window cannot be started: No such file or directory (it is built where "
+                  "libglfw3-dev and libimgui-dev are installed)"));
 }
 
 }  // namespace
