@@ -26,6 +26,7 @@ TEST(ShaderLibrary, LibraryHoldsTheInstalledFiles) {
                                                "litfog/shaders/diffuse_light.glsl",
                                                "litfog/shaders/directional_airlight.glsl",
                                                "litfog/shaders/expm1.glsl",
+                                               "litfog/shaders/far_airlight.glsl",
                                                "litfog/shaders/fog.glsl",
                                                "litfog/shaders/formulas.glsl",
                                                "litfog/shaders/layered_scattering.glsl",

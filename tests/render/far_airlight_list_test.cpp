@@ -55,7 +55,7 @@ TEST(FarAirlightList, RayShowsNoMoreThanAThirdOfTheShareOfALightThatIsLeftOutOrB
     AirlightCase c = random.chance(0.5) ? draw_airlight_case(random, mode, LampLeg::fogged)
                                         : draw_spot_airlight_case(random, mode, LampLeg::fogged);
     c.light.light.color = glm::dvec3(random.log_uniform(0.01, 100));
-    // Of lobes ahead, the sum has no peak (far_peak.glsl).
+    // Of lobes ahead, the sum has no peak (litfog/shaders/far_airlight.glsl).
     c.atmosphere.phase = random.chance(0.5) ? Phase{} : Phase::henyey_greenstein(-random.uniform(0, 0.9));
     scene::Scene scene;
     scene.lights = {c.light};

@@ -8,6 +8,7 @@
 // 65,535 rounds. Ends with 1 where PICTURE cannot be written, with 3 where there is no OpenGL 3.3.
 #include <epoxy/gl.h>
 #include <litfog/gl/check_errors.h>
+#include <litfog/gl/far_airlight.h>
 #include <litfog/gl/fog_light_buffer.h>
 #include <litfog/gl/fog_light_tables.h>
 #include <litfog/gl/headless_context.h>
@@ -32,7 +33,7 @@ void main() {  // the sky 1,000 m ahead, and over it the ground; the eye looks a
 }
 )"},
                                                  {"host.frag", R"(
-#include "litfog/shaders/light_airlight.glsl"
+#include "litfog/shaders/far_airlight.glsl"
 #include "litfog/shaders/light_clusters.glsl"
 const vec3 eye = vec3(0.0, 12.0, 0.0);
 uniform float size;
@@ -43,16 +44,15 @@ void main() {
   vec2 place = gl_FragCoord.xy / size;
   LitfogLightList lights = litfog_lights_at(place, 1.0 / gl_FragCoord.w);
   float shown = position.y == 0.0 ? 0.5 - 0.5 * litfog_fog_opacity(eye.y, 0.0, ray.w, 1.0) : 0.0;
-  vec3 seen = vec3(0.0);
+  color = vec4(litfog_far_airlight(place, eye, ray.xyz, ray.w), 1.0);
   for (int i = 0; i < lights.count; ++i) {
     LitfogLight light = litfog_buffered_light(litfog_listed_light(lights, i));
     vec4 beam = litfog_ray(light.position_extent.xyz, position);
-    seen += shown * max(-beam.y, 0.0) * litfog_lamp_factor(light, 0.0, beam.w) * litfog_light_along(light, beam);
+    color.rgb += shown * max(-beam.y, 0.0) * litfog_lamp_factor(light, 0.0, beam.w) * litfog_light_along(light, beam);
   }
   lights = litfog_lights_along(place, 1.0 / gl_FragCoord.w);
   for (int i = 0; i < lights.count; ++i)
-    seen += litfog_light_airlight(litfog_buffered_light(litfog_listed_light(lights, i)), eye, ray.xyz, ray.w);
-  color = vec4(seen, 1.0);
+    color.rgb += litfog_light_airlight(litfog_buffered_light(litfog_listed_light(lights, i)), eye, ray.xyz, ray.w);
 }
 )"}};
 
@@ -90,6 +90,7 @@ int main(int count, char** arguments) try {
   litfog::gl::FogLightBuffer fog_block;
   litfog::gl::FogLightTables tables;
   litfog::gl::LightClusterTables cluster_tables;
+  litfog::gl::FarAirlight far;
   std::ofstream output(count > 1 ? arguments[1] : "many_lights.ppm", std::ios::binary);
   output << "P6 " << size << ' ' << 4 * size << " 255\n";
   for (const double visibility : {5000., 1000., 300., 100.}) {
@@ -99,10 +100,12 @@ int main(int count, char** arguments) try {
     lamps.bound_lights(clusters, air);
     for (std::size_t i = 0; count > 4 && i < clusters.size(); ++i) clusters.set_light(i, {});
     if (clusters.update(view)) cluster_tables.upload(clusters);
+    far.draw(view, air, tables, lamps.instances().size());
     fog_block.upload(litfog::pack_fog_header(air, 0));
     fog_block.bind(program, 0);
     tables.bind_textures(0, 1);
     cluster_tables.bind_texture(2);
+    far.bind(program, 3);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 2);
 
     std::string pixels(std::size_t(3 * size * size), '\0');

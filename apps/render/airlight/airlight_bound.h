@@ -81,7 +81,7 @@ class AirlightBound {
   double beyond_extent(double distance) const;
 
   /// Range from the light beyond which rays pass it with at most a budget of what the peak of the phase function adds
-  /// beyond the extent (shaders/airlight/far_peak.glsl), 0 where all do. Metres.
+  /// beyond the extent (litfog/shaders/far_airlight.glsl), 0 where all do. Metres.
   double far_peak_reach(double budget) const;
 
   /// What the light adds by being scattered twice and more often to a ray from a distance from the eye on, where angles

@@ -33,7 +33,7 @@ struct AirlightKind {
   int profile;                     ///< FogLightInstance
   bool has_shafts = false;         ///< shadows cut shafts into the airlight
   bool has_knee = false;           ///< attenuation's constant below 1: full brightness up to a range
-  bool has_far_peak = false;       ///< shaders/airlight/far_peak.glsl
+  bool has_far_peak = false;       ///< litfog/shaders/far_airlight.glsl
   bool has_higher_orders = false;  ///< shaders/airlight/higher_orders.glsl; of entries: has their peak
 
   auto operator<=>(const AirlightKind&) const = default;

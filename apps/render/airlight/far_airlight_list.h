@@ -19,7 +19,7 @@ namespace litfog::render {
 struct FarAirlightList {
   static constexpr int kSections = 4;
   /// Radians: smaller angles of scattering count as this one. The rest, a peak of the phase function too narrow for the
-  /// sum's texels, is drawn light by light (shaders/airlight/far_peak.glsl).
+  /// sum's texels, is drawn light by light (litfog/shaders/far_airlight.glsl).
   static constexpr double kPeakAngle = 0.15;
 
   struct Range {

@@ -5,10 +5,10 @@
 #include "airlight/airlight_entry.glsl"
 #include "airlight/display_slope.glsl"
 #include "airlight/seen.glsl"
+#include "litfog/shaders/far_airlight.glsl"
 
 uniform vec3 eye;
 
-#include "airlight/far_peak.glsl"
 #ifdef HAS_HIGHER_ORDERS
 #include "airlight/higher_orders.glsl"
 #endif
@@ -116,7 +116,7 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
     vec3 added = litfog_light_airlight(shown, eye, direction, range) *
                  lit_fraction(light_index, light, direction, range);
     LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
-    float peak = has_far_peak ? far_peak(air) : 0.0;
+    float peak = has_far_peak ? litfog_far_peak(air) : 0.0;
 #ifdef HAS_HIGHER_ORDERS
     peak += higher_orders_peak(light_index, air);
 #endif

@@ -5,9 +5,7 @@
 #include "generated/airlight_constants.glsl"
 #include "cookie.glsl"
 #include "airlight/far_airlight.glsl"
-#include "litfog/shaders/light_airlight.glsl"
-#include "litfog/shaders/light_buffer.glsl"
-#include "airlight/far_peak.glsl"
+#include "litfog/shaders/far_airlight.glsl"
 #ifdef HAS_HIGHER_ORDERS
 #include "airlight/higher_orders.glsl"
 #endif
@@ -24,19 +22,6 @@ const float faint = 0.001;  // of eight slabs: so little light that its place am
 
 layout(location = 0) out vec4 sums[slabs_at_once];
 
-// What fog leaves of light on the way between two points of different heights.
-float left_by_layers(float scale, vec3 from, vec3 to) {
-  return exp(-scale * litfog_fog_density(from.y, to.y) * distance(from, to));
-}
-
-// The fog's -f'(s) f(r), 1/m. Without layers its density is that of the light's class.
-float fog_weight(float density, float seen, float range) {
-  if (litfog_is_exp(litfog_fog_mode())) return density * exp(-density * (seen + range));
-  float x = density * seen;
-  float y = density * range;
-  return 2.0 * density * x * exp(-x * x - y * y);
-}
-
 void main() {
   ivec2 place = ivec2(gl_FragCoord.xy);
   int first_slab = place.y / row_count * slabs_at_once;
@@ -52,29 +37,25 @@ void main() {
     if (!is_single) index = -1 - index;
     LitfogLight light = litfog_buffered_light(index);
     light.axis_profile.w = profile;
-    float density = litfog_light_fog_density(light);
-    float extent = light.position_extent.w;
-    vec3 to_light = light.position_extent.xyz - eye;
-    float approach = dot(to_light, direction);
-    float square = dot(to_light, to_light) - approach * approach;
-    float half_chord = sqrt(max(extent * extent - square, 0.0));
     vec3 lamp = light.color_intensity.rgb * litfog_airlight_unit();
 #ifdef HAS_HIGHER_ORDERS
+    float density = litfog_light_fog_density(light);
     LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, litfog_far);
     vec4 source = texelFetch(scattering_sources, index);
     if (litfog_airlight_is_layered(air)) {
       LitfogAirlight beside = beside_peak(air);
-      LitfogSlab slab_of_fog = litfog_slab(air);
+      LitfogSlab fog_slab = litfog_slab(air);
       for (int part = 0; part < slabs_at_once * slab_parts; ++part) {
         int slab = part / slab_parts;
         float begin = begins[slab];
         float size = (begins[slab + 1] - begin) / float(slab_parts);
         begin += float(part % slab_parts) * size;
-        slabs[slab] += lamp * scattered_in_layers(source, beside, slab_of_fog, litfog_layered_stretch(air, slab_of_fog, begin, begin + size));
+        LitfogLayeredStretch stretch = litfog_layered_stretch(air, fog_slab, begin, begin + size);
+        slabs[slab] += lamp * scattered_in_layers(source, beside, fog_slab, stretch);
       }
     } else {
-      float before = source.x * litfog_scattered_beyond(air, begins[0], far_peak_angle);
-      float last = source.x * litfog_scattered_beyond(air, begins[slabs_at_once], far_peak_angle);
+      float before = source.x * litfog_scattered_beyond(air, begins[0], litfog_far_peak_angle);
+      float last = source.x * litfog_scattered_beyond(air, begins[slabs_at_once], litfog_far_peak_angle);
       if (max(max(lamp.r, lamp.g), lamp.b) * (before - last) < faint) {
         // It is spread over the slabs as the fog before them dims light.
         float middle = begins[slabs_at_once / 2];
@@ -92,7 +73,7 @@ void main() {
           float begin = begins[slab];
           float size = (begins[slab + 1] - begin) / float(slab_parts);
           begin += float(part % slab_parts) * size;
-          float next = source.x * litfog_scattered_beyond(air, begin + size, far_peak_angle);
+          float next = source.x * litfog_scattered_beyond(air, begin + size, litfog_far_peak_angle);
           slabs[slab] += lamp * (scattered_share(source, air, begin + 0.5 * size) * (before - next));
           before = next;
         }
@@ -100,35 +81,8 @@ void main() {
     }
     if (!is_single) continue;
 #endif
-    float left = left_by_layers(light.attenuation.w, eye, eye + begins[0] * direction);
     for (int slab = 0; slab < slabs_at_once; ++slab) {
-      float begin = begins[slab];
-      float end = begins[slab + 1];
-      float seen = 0.5 * (begin + end);
-      float weight;  // of the slab, but for the lamp's leg in layers
-      if (litfog_knot_count() > 0) {
-        // A slab may lie in a layer in part: its place is that of the fog in its halves.
-        float scale = light.attenuation.w;
-        float at_middle = left_by_layers(scale, eye, eye + seen * direction);
-        float at_end = left_by_layers(scale, eye, eye + end * direction);
-        weight = max(left - at_end, 0.0) / (end - begin);
-        float shift = (2.0 * at_middle - left - at_end) / max(left - at_end, 1.0e-30);
-        seen += 0.25 * (end - begin) * clamp(shift, -1.0, 1.0);  // of thin fog there are roundings alone
-        left = at_end;
-      }
-      float within = max(min(end, approach + half_chord) - max(begin, approach - half_chord), 0.0);
-      vec4 ray = litfog_ray(to_light, direction * seen);
-      float range = max(ray.w, extent);
-      if (litfog_knot_count() > 0) {
-        weight *= left_by_layers(light.attenuation.w, eye + seen * direction, light.position_extent.xyz);
-      } else {
-        weight = fog_weight(density, seen, range);
-      }
-      float arriving = litfog_cone(light, ray.xyz) *
-                       litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
-      float scattered = (end - begin - within) * weight * arriving;
-      if (!litfog_is_isotropic(phase)) scattered *= litfog_phase(phase, max(1.0 + dot(direction, ray.xyz), far_peak_versine));
-      slabs[slab] += lamp * scattered;
+      slabs[slab] += lamp * litfog_far_airlight_between(light, phase, eye, direction, begins[slab], begins[slab + 1]);
     }
   }
   vec4 sum = vec4(0.0);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What lights add by being scattered twice and more often, where has_higher_orders: render::HigherOrders. The sum over
-// all lights is too coarse for the peak around a lamp, so that in it smaller angles count as far_peak_angle, and the
-// rest is drawn light by light. Needs far_peak.glsl before it.
+// all lights is too coarse for the peak around a lamp, so that in it smaller angles count as litfog_far_peak_angle, and
+// the rest is drawn light by light. Needs litfog/shaders/far_airlight.glsl before it.
 
 #include "litfog/shaders/layered_scattering.glsl"
 #include "litfog/shaders/multiple_scattering.glsl"
@@ -17,7 +17,7 @@ float scattered_share(vec4 source, LitfogAirlight air, float seen) {
 // The peak that reaches the eye from what lies behind a distance before the closest approach to the lamp.
 float peak_beyond(LitfogAirlight air, float before) {
   return exp(-air.density * (air.approach - before)) *
-         (litfog_scattered_from(air, -before, 0.0) - litfog_scattered_from(air, -before, far_peak_angle));
+         (litfog_scattered_from(air, -before, 0.0) - litfog_scattered_from(air, -before, litfog_far_peak_angle));
 }
 
 // What a stretch of a ray adds in layers.
@@ -27,15 +27,17 @@ float scattered_in_layers(vec4 source, LitfogAirlight air, LitfogSlab slab, Litf
 }
 
 // The glow of a lamp in layers is as fine as they are thick. In the sum over all lights, rays that pass the lamp near are
-// taken farther away, and its beam, which is fine, too, is turned across them. Near is within far_peak_angle of it, or up
-// to most_flattened times as far where the eye looks into layers from outside: the flatter it looks, the farther apart
-// rays enter them.
+// taken farther away, and its beam, which is fine, too, is turned across them. Near is within litfog_far_peak_angle of it,
+// or up to most_flattened times as far where the eye looks into layers from outside: the flatter it looks, the farther
+// apart rays enter them.
 const float most_flattened = 4.0;  // AirlightBound::kMostFlattened
 
 LitfogAirlight beside_peak(LitfogAirlight air) {
   float rise = abs(air.height - air.approach * air.rise - air.lamp_height);
-  float flattened = litfog_airlight_density(air, -air.approach) > 0.0 ? 1.0 : clamp(length(vec2(air.approach, air.offset)) / max(rise, 1.0e-6), 1.0, most_flattened);
-  float near = flattened * air.approach / far_peak_cotangent;
+  float near = air.approach / litfog_far_peak_cotangent;
+  if (litfog_airlight_density(air, -air.approach) == 0.0) {
+    near *= clamp(length(vec2(air.approach, air.offset)) / max(rise, 1.0e-6), 1.0, most_flattened);
+  }
   if (air.offset >= near) return air;
   float square = air.offset * air.offset / (near * near);
   air.offset = 0.5 * near * (1.0 + square);
@@ -75,14 +77,15 @@ float layered_peak_gain(int light_index, LitfogAirlight air) {
   float from = litfog_fog_opacity(eye_height, eye_height + air.rise * stretch.from, stretch.from, 1.0);
   float to = litfog_fog_opacity(eye_height, eye_height + air.rise * stretch.to, stretch.to, 1.0);
   if (air.offset >= beside.offset || to - from < 1.0e-4) return 0.0;
-  return max(scattered_in_layers(source, air, slab, stretch) - scattered_in_layers(source, beside, slab, stretch), 0.0) / (to - from);
+  float added = scattered_in_layers(source, air, slab, stretch) - scattered_in_layers(source, beside, slab, stretch);
+  return max(added, 0.0) / (to - from);
 }
 
 // The peak that the sum over all lights lacks: there is none but before the lamp. To be multiplied with the light's colour
 // and litfog_airlight_unit().
 float higher_orders_peak(int light_index, LitfogAirlight air) {
   if (litfog_airlight_is_layered(air)) return layered_peak(texelFetch(scattering_sources, light_index), air);
-  float first = air.offset * far_peak_cotangent;  // where the angle is that of the peak
+  float first = air.offset * litfog_far_peak_cotangent;  // where the angle is that of the peak
   float end = max(air.approach - air.ray_length, first);
   if (!(air.approach > end)) return 0.0;
   vec4 source = texelFetch(scattering_sources, light_index);

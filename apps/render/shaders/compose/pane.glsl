@@ -3,15 +3,13 @@
 
 #include "compose/compose.glsl"
 #include "cookie.glsl"
-#include "litfog/shaders/light_airlight.glsl"
-#include "litfog/shaders/light_buffer.glsl"
+#include "litfog/shaders/far_airlight.glsl"
 #include "scene.glsl"
 
 uniform samplerBuffer airlight_entries;  // render::AirlightEntry
 uniform int airlight_count;              // 0 where the scene is not lit by airlight
 
 #include "airlight/far_airlight_at.glsl"
-#include "airlight/far_peak.glsl"
 #include "airlight/shaft.glsl"
 
 // The airlight before the fragment. The airlight of the picture without panes is added later, times what panes let
@@ -31,7 +29,7 @@ vec3 airlight_before(vec3 position) {
     sum += lit * litfog_light_airlight(light, eye, direction, range);
     if (!has_shafts && far_depth > 0.0) {
       LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
-      sum += light.color_intensity.rgb * (litfog_airlight_unit() * far_peak(air));
+      sum += light.color_intensity.rgb * (litfog_airlight_unit() * litfog_far_peak(air));
     }
   }
   return sum + far_airlight_at(gl_FragCoord.xy, range, eye.y, direction.y);
