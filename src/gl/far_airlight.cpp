@@ -14,6 +14,8 @@
 namespace litfog::gl {
 namespace {
 
+constexpr int kUnit = 14;             // the last two texture units of every OpenGL 3.3, for hosts fill them from 0 on
+constexpr int kBlockBinding = 35;     // its last binding point
 constexpr int kSlabs = 8;             // litfog_far_slabs
 constexpr double kHidden = 1e-3;      // fraction of light that fog lets through from beyond the grid
 constexpr int kLightsAtOnce = 64;     // an instance of the triangle each: a GPU draws them at the same time
@@ -124,10 +126,10 @@ void FarAirlight::draw(const View& view, const Atmosphere& atmosphere, const Fog
   glUniform1f(sum.uniform("depth"), float(depth));
   glUniform1i(sum.uniform("lights"), GLint(lights));
   glUniform1i(sum.uniform("lights_at_once"), kLightsAtOnce);
-  glUniform1i(sum.uniform("litfog_kind_buffer"), 0);
-  glUniform1i(sum.uniform("litfog_instance_buffer"), 1);
-  tables.bind_textures(0, 1);
-  fog_block_.bind(sum, 0);
+  glUniform1i(sum.uniform("litfog_kind_buffer"), kUnit);
+  glUniform1i(sum.uniform("litfog_instance_buffer"), kUnit + 1);
+  tables.bind_textures(kUnit, kUnit + 1);
+  fog_block_.bind(sum, kBlockBinding);
 
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
   glViewport(0, 0, size_.x, size_.y);

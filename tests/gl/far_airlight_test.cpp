@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "core/value_errors.h"
 #include "gl/formula_pixels.h"
 #include "gl/gl_test.h"
 #include "litfog/airlight.h"
@@ -131,6 +132,32 @@ TEST_F(FarAirlight, SumIsThatOfEachLampBeyondItsExtent) {
     EXPECT_LE(mean, most_mean * brightest) << name;
     EXPECT_LE(largest, most * brightest) << name;
   }
+}
+
+TEST_F(FarAirlight, DrawingKeepsProgramFramebufferAndViewport) {
+  const gl::Program program =
+      FormulaPixels::program("#include \"test/input.glsl\"\nvoid main() { result = vec4(1.0); }\n");
+  const gl::FramebufferName framebuffer;
+  const gl::VertexArrayName vertices;
+  glBindVertexArray(vertices.id());
+  program.use();
+  glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+  glViewport(1, 2, 3, 4);
+  FogUpdater updater;
+  updater.add(lamps_[0]);
+  gl::FogLightTables tables;
+  tables.upload(updater.kinds(), updater.instances(), updater.set_fog({FogMode::exp, 0.01}));
+  gl::FarAirlight({4, 3}).draw(view_, {.fog = {FogMode::exp, 0.01}}, tables, 1);
+  GLint state[6] = {};
+  glGetIntegerv(GL_CURRENT_PROGRAM, &state[0]);
+  glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &state[1]);
+  glGetIntegerv(GL_VIEWPORT, &state[2]);
+  EXPECT_EQ(std::to_array(state), (std::array{GLint(program.id()), GLint(framebuffer.id()), 1, 2, 3, 4}));
+}
+
+TEST_F(FarAirlight, RefusesAGridOfOneRay) {
+  EXPECT_EQ(error_of([] { gl::FarAirlight({1, 18}); }), "grid = 1: must be in [2, 512]");
+  EXPECT_EQ(error_of([] { gl::FarAirlight({32, 513}); }), "grid = 513: must be in [2, 512]");
 }
 
 }  // namespace

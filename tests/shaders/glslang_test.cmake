@@ -56,12 +56,16 @@ vec4 litfog_test() {
   LitfogLightList lights = litfog_lights_at(vec2(0.5), 9.0);
   LitfogLightList along = litfog_lights_along(vec2(0.5), 9.0);
   lit += litfog_light_surface(surface, litfog_buffered_light(litfog_listed_light(lights, along.count)));
+  vec4 layers[litfog_far_slabs];
+  litfog_sum_far_airlight(0, 9, vec3(0.0), vec3(0.0, 0.0, 1.0), 9.0, layers);
+  lit += layers[7].rgb + litfog_far_airlight(vec2(0.5), vec3(0.0), vec3(0.0, 0.0, 1.0), 9.0);
   return vec4(litfog_apply_fog(lit, surface.position, vec3(1.0)), 1.0);
 }
 ")
 set(defines "#define LITFOG_COOKIES\n#define LITFOG_FOG_LIGHTS\n#define LITFOG_LIGHT_TEXTURE\n#define LITFOG_SET 6\n"
             "#define LITFOG_BLOCK_BINDING 7\n#define LITFOG_KIND_BINDING 9\n#define LITFOG_INSTANCE_BINDING 11\n"
-            "#define LITFOG_SCATTERING_BINDING 13\n#define LITFOG_CLUSTER_BINDING 15\n")
+            "#define LITFOG_SCATTERING_BINDING 13\n#define LITFOG_CLUSTER_BINDING 15\n"
+            "#define LITFOG_FAR_AIRLIGHT_BINDING 17\n")
 string(CONCAT defines ${defines})
 set(use_doors "${use_all}
 vec4 litfog_cookie_cone(float cookie) { return vec4(cookie, 0.0, 1.0, 0.0); }
@@ -71,7 +75,7 @@ vec3 litfog_lights_fog(vec3 position) { return litfog_light_fog(litfog_buffered_
 
 # The host's set and bindings, in the SPIR-V of the last
 function(expect_places)
-  foreach(place "DescriptorSet 6" "Binding 7" "Binding 9" "Binding 11" "Binding 13" "Binding 15")
+  foreach(place "DescriptorSet 6" "Binding 7" "Binding 9" "Binding 11" "Binding 13" "Binding 15" "Binding 17")
     if(NOT output MATCHES "${place}\n")
       message(SEND_ERROR "no ${place} in\n${output}")
     endif()

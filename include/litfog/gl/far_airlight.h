@@ -16,8 +16,7 @@
 namespace litfog::gl {
 
 /// The airlight that the lights of tables add beyond their extents, summed once a frame over all of them in a coarse
-/// grid of a view, for litfog_far_airlight() of litfog/shaders/far_airlight.glsl. Lights with cookies add nothing to
-/// it.
+/// grid of a view, for litfog_far_airlight() of litfog/shaders/far_airlight.glsl. It leaves lights with cookies out.
 ///
 /// error    where extents subtend some rays: mean 1 %, largest 6 % of the brightest sum of a picture; in layers 5 %,
 ///          15 %                                                                               (far_airlight_test.cpp)
@@ -29,8 +28,8 @@ class FarAirlight {
   explicit FarAirlight(glm::ivec2 grid = {32, 18});
 
   /// Draws the grid. A vertex array must be bound; no faces may be culled, and the scissor test must be off. Binds the
-  /// tables to the texture units 0 and 1 and a uniform buffer to binding point 0, and leaves blending off. Program,
-  /// framebuffer and viewport stay as they are.
+  /// tables to texture units 14 and 15 and a uniform buffer to binding point 35, which every OpenGL 3.3 has, and leaves
+  /// blending off. Program, framebuffer and viewport stay as they are.
   ///
   /// lights  of the tables, from the first on
   /// throws  std::invalid_argument naming field, value and rule of the view or the atmosphere
