@@ -93,8 +93,8 @@ Axes draw_axes(double end, double top) {
   const float font = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
   const ImVec2 room = ImGui::GetContentRegionAvail();
-  const Axes axes{.low = {corner.x + 3.2f * font, corner.y + room.y - 1.5f * font},
-                  .size = {std::max(room.x - 4.2f * font, 1.0f), std::max(room.y - 2 * font, 1.0f)},
+  const Axes axes{.low = {corner.x + 4.2f * font, corner.y + room.y - 1.5f * font},
+                  .size = {std::max(room.x - 5.2f * font, 1.0f), std::max(room.y - 2 * font, 1.0f)},
                   .end = end,
                   .top = top};
   draw_grid(*ImGui::GetWindowDrawList(), axes);

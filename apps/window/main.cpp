@@ -213,7 +213,7 @@ void App::take_delivery() {
     return;
   }
   const int divisor = std::max(picture_.width() / std::max(delivery->order.width, 1), 1);
-  pace_.learn(divisor, delivery->milliseconds);
+  if (!delivery->is_rough) pace_.learn(divisor, delivery->milliseconds);
   delivery_ = std::move(delivery);
   show_pictures();
 }
@@ -341,9 +341,10 @@ void App::draw_status() const {
   ImGui::TextDisabled("%s", has_words          ? words_.c_str()
                             : picture_.mouse() ? pixel_in_words(drawn).c_str()
                                                : counts_in_words(drawn.counts).c_str());
-  const std::string sharpness = is_finished() ? ""
-                                : is_whole    ? "drawing"
-                                              : fmt::format("1/{} size", picture_.width() / delivery_->order.width);
+  const std::string sharpness = is_finished()         ? ""
+                                : delivery_->is_rough ? "without glow at first"
+                                : is_whole            ? "drawing"
+                                           : fmt::format("1/{} size", picture_.width() / delivery_->order.width);
   ImGui::SameLine(right - ImGui::CalcTextSize(sharpness.c_str()).x);
   ImGui::TextUnformatted(sharpness.c_str());
 }

@@ -67,8 +67,8 @@ class KeptRenderer {
   }
 
  private:
-  /// The automatic exposure by a quarter of the width and height: off by up to 0.1 EV. It makes the first sketch a fifth
-  /// less work.
+  /// The automatic exposure by a quarter of the width and height: off by up to 0.1 EV. It makes the first sketch a
+  /// fifth less work.
   double rough_exposure() {
     const int width = renderer_->width(), height = renderer_->height();
     renderer_->set_size(std::max(width / 4, 1), std::max(height / 4, 1));
@@ -83,6 +83,15 @@ class KeptRenderer {
   double seconds_ = 0;
   std::optional<double> chosen_;  // the last automatic exposure
 };
+
+/// The settings whose shaders compile soonest. The window's first picture of the street then takes 2.4 s of processor
+/// time on llvmpipe in place of 16 s, and 0.7 s in place of 2.0 s where the shaders are cached.
+drawing::DrawingOptions roughened(drawing::DrawingOptions options) {
+  options.render.path = render::find_lighting_path("vertex");
+  options.render.shadows = render::Shadows::none;
+  options.render.samples = 1;
+  return options;
+}
 
 }  // namespace
 
@@ -158,8 +167,27 @@ void PictureMaker::work() try {
       scene::move_to_time(scene, seconds);
     }
     scene.camera = order.camera;
+    const auto hand_over = [&](Delivery done) {
+      done.milliseconds = timer.milliseconds();
+      lock.lock();
+      delivery_ = std::move(done);
+      lock.unlock();
+      deliver_();
+    };
+    const bool is_first_sketch = renderers.empty() && order.is_sketch;
     renderers.resize(order.settings.size());
     try {
+      if (is_first_sketch) {
+        Delivery rough{.order = order, .pictures = {}, .error = {}, .is_rough = true};
+        for (const drawing::DrawingOptions& given : order.settings) {
+          const drawing::DrawingOptions options = roughened(given);
+          KeptRenderer renderer;
+          renderer.set(scene, order, options);
+          rough.pictures.push_back(renderer.draw(options.display.display_for(scene, options.settings().fog_lighting),
+                                                 true, [] { return false; }));
+        }
+        hand_over(std::move(rough));
+      }
       for (std::size_t i = 0; i < renderers.size(); ++i) {
         const drawing::DrawingOptions& options = order.settings[i];
         renderers[i].set(scene, order, options);
@@ -178,11 +206,7 @@ void PictureMaker::work() try {
       delivery.pictures.clear();
       delivery.error = wrong.what();
     }
-    delivery.milliseconds = timer.milliseconds();
-    lock.lock();
-    delivery_ = std::move(delivery);
-    lock.unlock();
-    deliver_();
+    hand_over(std::move(delivery));
     lock.lock();
     // From members of the scene that this thread does not change.
     if (!surfaces_.valid())

@@ -52,6 +52,7 @@ struct Delivery {
   std::vector<DrawnPicture> pictures;  ///< one for each of its settings
   std::string error;                   ///< why there are none, in words; else empty
   double milliseconds = 0;             ///< all that it took
+  bool is_rough = false;               ///< drawn by the path whose shaders compile soonest; the order's own follow
 };
 
 /// Draws pictures of a scene on a thread of its own, with a GL context of its own and without a display, so that a
@@ -66,7 +67,8 @@ class PictureMaker {
   PictureMaker& operator=(const PictureMaker&) = delete;
 
   /// Draws these pictures next. An order that has not been begun is forgotten, and one that is no sketch is given up
-  /// for a sketch: a view that begins to move need not wait for its last picture.
+  /// for a sketch: a view that begins to move need not wait for its last picture. A rough picture precedes the first
+  /// sketch.
   void order(PictureOrder order);
   /// The last delivery, once. Throws what the thread ended with: gl::Unsupported where there is no OpenGL 3.3.
   std::optional<Delivery> take();

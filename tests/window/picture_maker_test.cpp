@@ -34,9 +34,10 @@ class PictureMakerTest : public GlTest {
     return order;
   }
 
+  /// The next delivery that is not rough.
   static Delivery wait(PictureMaker& maker) {
     while (true) {
-      if (auto delivery = maker.take()) return *delivery;
+      if (auto delivery = maker.take(); delivery && !delivery->is_rough) return *delivery;
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
   }
@@ -72,6 +73,28 @@ TEST_F(PictureMakerTest, SketchNeedNotWaitForTheWholePictureBefore) {
   EXPECT_TRUE(delivery.order.is_sketch);
   EXPECT_EQ(delivery.pictures[0].pixels, drawn_by_demo(sketch, 0));
   EXPECT_FALSE(maker.is_busy());
+}
+
+TEST_F(PictureMakerTest, RoughPictureByVertexPrecedesTheFirstSketch) {
+  std::vector<Delivery> taken;
+  PictureMaker* self = nullptr;
+  PictureMaker maker(scene_, [&] { taken.push_back(*self->take()); });
+  self = &maker;
+  PictureOrder sketch = order(48, 27);
+  sketch.is_sketch = true;
+  for (std::size_t done = 1; done <= 2; ++done) {
+    maker.order(sketch);
+    while (maker.is_busy()) std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    ASSERT_EQ(taken.size(), done + 1);
+    EXPECT_FALSE(taken.back().is_rough);
+    EXPECT_EQ(taken.back().pictures[0].pixels, drawn_by_demo(sketch, 0));
+  }
+  EXPECT_TRUE(taken[0].is_rough);
+  EXPECT_EQ(taken[0].order, sketch);
+  PictureOrder by_vertex = sketch;
+  by_vertex.settings[0].render.path = render::find_lighting_path("vertex");
+  by_vertex.settings[0].render.samples = 1;
+  EXPECT_EQ(taken[0].pictures[0].pixels, drawn_by_demo(by_vertex, 0));
 }
 
 TEST_F(PictureMakerTest, SurfacesAreKnownAfterTheFirstPicture) {
