@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// A host with 5,000 lamps of 40 kinds, whose visibility changes in each frame: litfog finds the few that a pixel needs.
+// A host with 5,000 lamps of 40 kinds, whose visibility changes in each frame: litfog finds the few that a pixel needs,
+// and sums what all add to the fog farther away.
 //
 //     many_lights_host PICTURE.ppm [SIZE [LAMPS [all]]]
 //

@@ -29,7 +29,8 @@ class FarAirlight {
 
   /// Draws the grid. A vertex array must be bound; no faces may be culled, and the scissor test must be off. Binds the
   /// tables to texture units 14 and 15 and a uniform buffer to binding point 35, which every OpenGL 3.3 has, and leaves
-  /// blending off. Program, framebuffer and viewport stay as they are.
+  /// blending off. Program, framebuffer and viewport stay as they are. Compiles a program for each fog mode, number of
+  /// knots and whether the phase function is isotropic, when it first meets them.
   ///
   /// lights  of the tables, from the first on
   /// throws  std::invalid_argument naming field, value and rule of the view or the atmosphere
