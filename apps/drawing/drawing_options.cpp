@@ -206,8 +206,9 @@ void add_drawing(CLI::App& app, DrawingOptions& options) {
       "0.95] or of droplets, else single)");
   command::add_choice(
       app, "--shadows", options.render.shadows, kShadows,
-      "What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight, which errs by up "
-      "to 2.5 steps of 1/255 at the edges of shafts (default none)");
+      fmt::format("What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight, which "
+                  "errs by up to 2.5 steps of 1/255 at the edges of shafts (default {})",
+                  options.render.shadows == render::Shadows::none ? "none" : "surfaces"));
   command::add_integer(
       app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
       "With --shadows: at most this many lamps cast them, the carried ones first, then the brightest at "

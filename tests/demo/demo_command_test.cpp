@@ -463,6 +463,14 @@ TEST_F(DemoCommand, GalleryDrawsEachVisibilityAndASheet) {
   EXPECT_FALSE(has(outcome.out, " s, EV "));
 }
 
+TEST_F(DemoCommand, GalleryHasShadowsOnSurfacesUnlessToldOtherwise) {
+  for (const std::string option : {"", "--shadows surfaces", "--shadows none"}) {
+    ASSERT_EQ(run("gallery room -o 'g" + option + "' --size 64x36 " + option).status, kDone) << option;
+  }
+  EXPECT_EQ(read("g/room-clear.png"), read("g--shadows surfaces/room-clear.png"));
+  EXPECT_NE(read("g/room-clear.png"), read("g--shadows none/room-clear.png"));
+}
+
 TEST_F(DemoCommand, GalleryShowsItsFirstSceneByPeakTooUnlessAWayIsChosen) {
   ASSERT_EQ(run("gallery room tessellation -o both --size 64x36").status, kDone);
   ASSERT_EQ(run("gallery room tessellation -o peak --size 64x36 --fog-light peak").status, kDone);
