@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: what lights add to the airlight beyond their extents. One light's is faint, but that of thousands is most of a
-// picture's fog. It changes slowly over the picture, so that it is summed over all lights in a coarse grid of rays once
-// a frame (litfog/gl/far_airlight.h), and fragments look the sum up.
+// litfog: what lights add to the airlight beyond their extents. One light's is faint, but that of thousands is most of
+// what the fog shows. It changes slowly over the picture, so that it is summed over all lights in a coarse grid of rays
+// once a frame (litfog/gl/far_airlight.h), and fragments look the sum up.
 //
 // Angles of scattering below litfog_far_peak_angle count as that angle, because the peak of a phase function is too
 // narrow for the grid. litfog_far_peak() is the rest of a light, for a host that draws it light by light.
@@ -20,8 +20,8 @@
 #endif
 layout(set = LITFOG_SET, binding = LITFOG_FAR_AIRLIGHT_BINDING)
 #endif
-// A texel is a ray; those at the edges lie on the picture's edges. Layer i has the airlight (rgb) up to the end of slab i
-// of the ray, which is so many metres from the eye (alpha). Linear filters, clamped to the edges.
+// A texel is a ray; those at the edges lie on the picture's edges. Layer i has the airlight (rgb) up to the end of slab
+// i of the ray, and how many metres from the eye that is (alpha). Linear filters, clamped to the edges.
 uniform highp sampler2DArray litfog_far_airlight_grid;
 
 const int litfog_far_slabs = 8;  // the draw buffers that every OpenGL 3.3 has, a layer each
@@ -118,8 +118,8 @@ vec3 litfog_far_airlight(vec2 place, vec3 eye, vec3 direction, float range) {
 }
 
 // What the peak of the phase function adds to the airlight of a light beyond its extent: along rays that pass it within
-// litfog_far_peak_angle, the fog between the eye and the extent scatters more by the difference of the phase function to
-// its value at that angle. To be multiplied with the light's colour and litfog_airlight_unit().
+// litfog_far_peak_angle, the fog between the eye and the extent scatters more by the difference of the phase function
+// to its value at that angle. To be multiplied with the light's colour and litfog_airlight_unit().
 //
 // air  of litfog_light_airlight_ray()
 float litfog_far_peak(LitfogAirlight air) {
