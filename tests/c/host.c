@@ -223,7 +223,7 @@ static void shaders(void) {
   const litfog_shader_text* texts;
   size_t count, length;
   EXPECT_OK(litfog_shader_texts(&texts, &count));
-  EXPECT(count == 18 && strncmp(texts[0].name, "litfog/shaders/", 15) == 0 && strlen(texts[0].text) > 100);
+  EXPECT(count == 19 && strncmp(texts[0].name, "litfog/shaders/", 15) == 0 && strlen(texts[0].text) > 100);
   const char* source = "#version 330 core\n#include \"litfog/shaders/fog.glsl\"\nvoid main() {}\n";
   EXPECT_OK(litfog_expand_shader(source, NULL, 0, &length));
   char* expanded = malloc(length + 1);

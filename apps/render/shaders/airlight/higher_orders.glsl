@@ -23,12 +23,13 @@ float peak_beyond(LitfogAirlight air, float before) {
 // What a stretch of a ray adds in layers.
 float scattered_in_layers(vec4 source, LitfogAirlight air, LitfogSlab slab, LitfogLayeredStretch stretch) {
   float scattered = source.x * litfog_scattered_in_stretch(air, slab, stretch, source.z);
-  return scattered > 0.0 ? scattered * scattered_share(source, litfog_in_endless_fog(air, stretch), stretch.place) : 0.0;
+  if (!(scattered > 0.0)) return 0.0;
+  return scattered * scattered_share(source, litfog_in_endless_fog(air, stretch), stretch.place);
 }
 
-// The glow of a lamp in layers is as fine as they are thick. In the sum over all lights, rays that pass the lamp near are
-// taken farther away, and its beam, which is fine, too, is turned across them. Near is within litfog_far_peak_angle of it,
-// or up to most_flattened times as far where the eye looks into layers from outside: the flatter it looks, the farther
+// The glow of a lamp in layers is as fine as they are thick. In the sum over all lights, rays that pass the lamp near
+// are taken farther away, and its beam, which is fine, too, is turned across them. Near is within litfog_far_peak_angle
+// of it, or up to most_flattened times as far where the eye looks into layers from outside: the flatter it looks, the farther
 // apart rays enter them.
 const float most_flattened = 4.0;  // AirlightBound::kMostFlattened
 
