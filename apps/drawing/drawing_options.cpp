@@ -201,8 +201,8 @@ void add_drawing(CLI::App& app, DrawingOptions& options) {
   command::add_choice(
       app, "--scattering", options.scattering, kScatterings,
       "With airlight: whether the fog sends to the eye what it scatters once, or also what it scatters more often, "
-      "which "
-      "is most of it beyond one visibility (default all in exp fog of albedo 1 that is isotropic, hg:G with G in [0, "
+      "which is "
+      "most of it beyond one visibility (default all in exp fog of albedo 1 that is isotropic, hg:G with G in [0, "
       "0.95] or of droplets, else single)");
   command::add_choice(
       app, "--shadows", options.render.shadows, kShadows,

@@ -28,7 +28,7 @@ inline constexpr command::Choice<render::FogLighting> kFogLights[] = {
 inline constexpr command::Choice<render::Scattering> kScatterings[] = {
     {"single", render::Scattering::single, "What the fog scatters once"},
     {"all", render::Scattering::all,
-     "Also what it scatters more often, in exp fog without layers that absorbs nothing"}};
+     "Also what it scatters more often, in exp fog that absorbs nothing"}};
 inline constexpr command::Choice<render::Shadows> kShadows[] = {
     {"none", render::Shadows::none, "Lamps shine through everything"},
     {"surfaces", render::Shadows::surfaces, "Lamps and moon cast shadows on surfaces"},

@@ -55,7 +55,7 @@ class KeptRenderer {
     DrawnPicture drawn;
     drawn.display = {
         .exposure = exposure, .tone = display.tone, .glare = is_sketch ? drawing::Glare::none : display.glare};
-    const command::WallTimer timer;
+    command::WallTimer timer;
     drawn.counts = renderer_->draw();
     drawn.milliseconds = timer.milliseconds();
     renderer_->interrupt_when({});  // which would leave it drawing in floats
@@ -158,7 +158,7 @@ void PictureMaker::work() try {
     is_busy_ = true;
     lock.unlock();
 
-    const command::WallTimer timer;
+    command::WallTimer timer;
     const PictureOrder& order = delivery.order;
     if (const double seconds = order.settings[0].seconds; order.lights != lights || seconds != scene.seconds) {
       lights = order.lights;
@@ -179,14 +179,18 @@ void PictureMaker::work() try {
     try {
       if (is_first_sketch) {
         Delivery rough{.order = order, .pictures = {}, .error = {}, .is_rough = true};
-        for (const drawing::DrawingOptions& given : order.settings) {
-          const drawing::DrawingOptions options = roughened(given);
-          KeptRenderer renderer;
-          renderer.set(scene, order, options);
-          rough.pictures.push_back(renderer.draw(options.display.display_for(scene, options.settings().fog_lighting),
-                                                 true, [] { return false; }));
+        try {
+          for (const drawing::DrawingOptions& given : order.settings) {
+            const drawing::DrawingOptions options = roughened(given);
+            KeptRenderer renderer;
+            renderer.set(scene, order, options);
+            rough.pictures.push_back(renderer.draw(options.display.display_for(scene, options.settings().fog_lighting),
+                                                   true, [this, &order] { return is_unwanted(order); }));
+          }
+          hand_over(std::move(rough));
+        } catch (const gl::Unsupported&) {  // the real pictures may need less
         }
-        hand_over(std::move(rough));
+        timer = {};
       }
       for (std::size_t i = 0; i < renderers.size(); ++i) {
         const drawing::DrawingOptions& options = order.settings[i];

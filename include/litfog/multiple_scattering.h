@@ -64,8 +64,8 @@ struct ScatteringSource {
   ScatteredBeam beam = {};  ///< of its shape
 };
 
-/// Effective intensity of a light in its fog, in layers in the densest, m^2; 0 in clear air, in total fog and in exp2 fog.
-/// FogUpdater::effective_intensities() has those of the lights that it holds, without layers.
+/// Effective intensity of a light in its fog, in layers in the densest, m^2; 0 in clear air, in total fog and in exp2
+/// fog. FogUpdater::effective_intensities() has those of the lights that it holds, without layers.
 ///
 /// light   its class sees the fog at its density scale
 /// throws  std::invalid_argument naming field, value and rule
@@ -101,8 +101,8 @@ inline constexpr double kConeScatteringTypicalError = 0.1;
 inline constexpr double kDropletConeScatteringMedianError = 0.25;
 inline constexpr double kDropletConeScatteringTypicalError = 0.6;
 
-/// The same of point lamps in layers of 0.1 to 10 optical depths, in them or beside. In thinner layers, M of a lamp several
-/// optical depths along the layer may be ten times too bright.
+/// The same of point lamps in layers of 0.1 to 10 optical depths, in them or beside, with clear air beyond. In thinner
+/// layers, M of a lamp several optical depths along the layer may be far too bright.
 inline constexpr double kLayeredScatteringMedianError = 0.05;
 inline constexpr double kLayeredScatteringTypicalError = 0.2;
 

@@ -128,7 +128,8 @@ class FogUpdater {
   void solve_effective_intensities();
 
   /// The source_intensity() of each kind's lights in the fog of set_fog(), m^2, rounded, at most the largest float; 0 of
-  /// kinds of which no light is on. In layers, source_intensity() has that of the densest fog. Empty unless they are solved.
+  /// kinds of which no light is on. In layers, source_intensity() has that of the densest fog. Empty unless they are
+  /// solved.
   std::span<const float> effective_intensities() const;
 
   /// Index of a light among the instances.

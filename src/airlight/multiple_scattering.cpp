@@ -349,7 +349,6 @@ void scattered_light(const PlacedLight& light, const ScatteringSource& source, c
   air.density = unchecked::scaled(atmosphere.fog, light.light.density_scale).density;
   air.layer_scale = atmosphere.profile.count > 0 ? light.light.density_scale : 0;
   air.lamp_height = light.position.y;
-  const auto slab = text.litfog_airlight_is_layered(air) ? text.litfog_slab(air) : ScatteringText::LitfogSlab{};
   const double phase_cosine = mean_cosine(atmosphere.phase);
   const glm::dvec3 axis = glm::normalize(light.direction);
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -361,15 +360,11 @@ void scattered_light(const PlacedLight& light, const ScatteringSource& source, c
     const double cosine = std::clamp(glm::dot(away, axis), -1.0, 1.0);
     const glm::dvec3 turned = away * cosine - axis;
     const double sine = glm::length(turned);
-    double density = air.density, kept = 1;
-    if (text.litfog_airlight_is_layered(air)) {
-      const auto fog = text.litfog_endless_fog(air, slab, positions[i].y);
-      density = fog.density;
-      kept = text.litfog_kept_in_slab(slab, fog, std::hypot(offset.x, offset.z), phase_cosine);
-    }
-    const auto found = text.litfog_scattered_light(density * range, range, 0, cosine);
+    const auto found = text.litfog_airlight_is_layered(air)
+                           ? text.litfog_scattered_light_in_layers(air, positions[i].y, range, 0, cosine, phase_cosine)
+                           : text.litfog_scattered_light(air.density * range, range, 0, cosine);
     const glm::dvec3 flow = found.radial * away + (sine > 0 ? found.turned / sine * turned : glm::dvec3(0.0));
-    scattered[i] = source.intensity * kept * DiffuseLight{.all = found.all, .flow = flow};
+    scattered[i] = source.intensity * DiffuseLight{.all = found.all, .flow = flow};
   }
 }
 

@@ -937,7 +937,7 @@ void bind_airlight(py::module_& m) {
         "What the scattered light of all lamps is made of: an array of dtype THIN_BEAM by optical depth. table:\n"
         "make_scattering_table(atmosphere).");
   py::class_<ScatteringSource>(m, "ScatteringSource", "A light as the fog around it scatters it.")
-      .def_readonly("intensity", &ScatteringSource::intensity, "m^2, as effective_intensity; 0 in clear or total fog")
+      .def_readonly("intensity", &ScatteringSource::intensity, "m^2, as effective_intensity, of the densest layer; 0 in clear or total fog")
       .def_readonly("phase_cosine", &ScatteringSource::phase_cosine, "mean cosine of the phase function")
       .def_readonly("is_cone", &ScatteringSource::is_cone, "else a point lamp")
       .def_property_readonly(
@@ -1033,7 +1033,7 @@ void bind_updater(py::module_& m) {
           },
           "The table of instances where it lies: a read-only array of dtype FOG_LIGHT_INSTANCE, which set_fog changes.")
       .def("solve_effective_intensities", &Updater::solve_effective_intensities,
-           "Lets set_fog solve the effective intensity of each kind, too, for all orders of scattering.")
+           "Lets set_fog solve the effective intensity of each kind, too, for all orders of scattering in fog without layers.")
       .def_property_readonly(
           "effective_intensities",
           [](const std::shared_ptr<Updater>& updater) {

@@ -194,6 +194,32 @@ TEST(MultipleScattering, FogOfOneDensityAtAllHeightsIsUniform) {
   }
 }
 
+// Rays that are all but level, haze that all but vanishes, eyes a rounding beside the outermost knots.
+TEST(MultipleScattering, InLayersNothingJumps) {
+  const auto layer = [](double haze) {
+    Atmosphere air = uniform_fog(haze);
+    air.profile = make_density_profile(std::array<DensityKnot, 4>{{{-1, 0}, {0, 0.05}, {8, 0.05}, {9, 0}}});
+    return air;
+  };
+  PlacedLight lamp = inverse_square_lamp({3, 4, -30});
+  const auto along = [&](const Atmosphere& air, double height, double rise) {
+    return scattering_of(
+        lamp, air, {.origin = {0, height, 0}, .direction = {0, rise, -std::sqrt(1 - rise * rise)}});
+  };
+  for (const double rise : {1e-12, 1e-8, 1e-6, 1e-5, -1e-7}) {
+    EXPECT_NEAR(along(layer(0), 4, rise) / along(layer(0), 4, 0), 1, 0.01) << rise;
+  }
+  for (const double haze : {1e-12, 1e-9, 1e-7, 1e-6}) {
+    EXPECT_NEAR(along(layer(haze), 4, 0.01) / along(layer(0), 4, 0.01), 1, 0.01) << haze;
+  }
+  for (const double edge : {-1.0, 9.0}) {
+    const double rise = edge < 0 ? 0.1 : -0.1;
+    for (const double beside : {-1e-6, 1e-6}) {
+      EXPECT_NEAR(along(layer(0), edge + beside, rise) / along(layer(0), edge, rise), 1, 0.001) << edge + beside;
+    }
+  }
+}
+
 // Eyes, lamps and surfaces on knots, layers of no fog and of all, rays along them.
 TEST(MultipleScattering, IsFiniteOnTheEdgesOfLayers) {
   for (const double density : {0.0, 1e-300, 0.1, 1e9, 1e300}) {

@@ -162,12 +162,12 @@ TEST(ScatteredIrradiance, InLayersIsThatOfItsGlowWithinAFactor) {
     const Atmosphere air = layer_of(thickness, false, kCases[std::size_t(i) % std::size(kCases)].phase);
     PlacedLight lamp = lamp_ahead(random.log_uniform(0.2, 4));
     lamp.position.y = random.uniform(0.05, 1) * thickness;
-    constexpr int kDirections = 64;
+    constexpr int kDirections = 192;
     double truth = 0;
     for (int k = 0; k < kDirections; ++k) {  // a spiral, as many directions as their cosines weigh
       const double cosine = std::sqrt((k + 0.5) / kDirections), sine = std::sqrt(1 - cosine * cosine), turn = 2.4 * k;
       measure::ScatteringWalk walk;
-      walk.paths = 256;
+      walk.paths = 128;
       walk.seed = std::uint64_t(1000 * i + k);
       const auto chance = measure::walk_scattering(
           lamp, air, {.direction = {sine * std::cos(turn), cosine, sine * std::sin(turn)}}, walk);

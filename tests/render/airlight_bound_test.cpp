@@ -3,7 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdio>
 
 #include "reference/double_limits.h"
 #include "reference/random_airlight.h"
@@ -40,6 +43,46 @@ TEST(RenderAirlightBound, NoMoreThanTheBudgetComesFromBehindTheEnd) {
     EXPECT_LE(shown * (whole - before), budget + 1e-9 * shown * whole) << to_string(c) << ", " << end;
     attacked += shown * whole > budget;
   }
+  EXPECT_GT(attacked, 500);
+}
+
+// Rays that pass the light so far away that they have no peak.
+TEST(RenderAirlightBound, HigherOrdersAreNoMoreThanTheirBound) {
+  Random random(26);
+  double most = 0;
+  int attacked = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Phase phase = i % 2 == 0 ? Phase{} : Phase::droplets(10);
+    Atmosphere air{.fog = {FogMode::exp, 1}, .phase = phase};
+    const ScatteringTable table = make_scattering_table(air);
+    const double thickness = random.log_uniform(0.1, 10);
+    if (i % 4 >= 2) {
+      air.fog.density = random.chance(0.5) ? 0 : random.log_uniform(1e-4, 0.1);
+      air.profile = make_density_profile(
+          std::array<DensityKnot, 4>{{{-0.01, 0}, {0, 1}, {thickness, 1}, {1.2 * thickness, 0}}});
+    }
+    PlacedLight light;
+    light.position = {random.log_uniform(0.1, 6), random.uniform(-0.2, 1.4) * thickness, 0};
+    light.light.attenuation = {.constant = 0, .linear = 0, .quadratic = 1e4};
+    light.light.color = glm::dvec3(1);
+    EyeRay ray{.origin = {0, random.uniform(-0.2, 1.4) * thickness, 0}};
+    const ScatteringBound scattering(phase);
+    const PointGlow glow{&table, source_intensity(light.light, air)};
+    const AirlightBound bound(light, 100, air, scattering, ray.origin, glow);
+    const double near = bound.higher_orders_reach(1e-300);
+    do ray.direction = draw_direction(random);
+    while (glm::length(glm::cross(ray.direction, light.position - ray.origin)) < near &&
+           glm::dot(ray.direction, light.position - ray.origin) > 0);
+    const double whole = multiple_scattering(light, air, table, ray);
+    const double distance = random.chance(0.3) ? 0 : random.log_uniform(0.05, 20);
+    ray.length = distance;
+    const double beyond = airlight_unit(air) * (whole - multiple_scattering(light, air, table, ray));
+    const double bounded = bound.higher_orders(distance);
+    EXPECT_LE(beyond, bounded * 1.001 + 1e-3 * airlight_unit(air) * whole) << i << ": " << distance << ", " << thickness ;
+    most = std::max(most, beyond / bounded);
+    attacked += beyond > 0;
+  }
+  std::printf("at most %.3f of the bound\n", most);
   EXPECT_GT(attacked, 500);
 }
 

@@ -23,6 +23,8 @@ constexpr std::array<double, 4> kBandEnds{2, 8, 32, 128};
 /// Where bands end between knots of different densities.
 constexpr std::array<double, 4> kRampParts{0.1, 0.3, 0.7, 0.9};
 
+constexpr double kFlatDepth = 0.02;  // optical, below which scattered_at() is even
+
 constexpr double kSmallestAngle = 1e-4;  // radians: of the series, below which the peak of every lobe is flat
 
 /// Angle i of the series.
@@ -178,24 +180,38 @@ double AirlightBound::glow_at(double depth, double angle) const {
   return brightness_ * glow_.intensity * largest_density_ * largest_density_ * scattered_at(*glow_.table, depth, angle);
 }
 
+double AirlightBound::glow_in_layers(double range, double angle) const {
+  double largest = 0;
+  double density = largest_density_;
+  do {  // of densities between the lamp and the place, from one to its half: the light falls with the depth
+    const double thinner = density / 2;
+    largest = std::max(largest, density * scattered_at(*glow_.table, thinner * range, angle));
+    density = thinner;
+  } while (density * range > kFlatDepth);
+  return brightness_ * glow_.intensity * largest_density_ * largest;
+}
+
 double AirlightBound::glow_beside(double distance) const {
   if (!is_layered_) return glow_at(largest_density_ * eye_range_, angle_at(distance));
   double largest = 0;
   for (double before = eye_range_; before > std::max(distance / 4, kLeastReach); before /= 2) {
-    largest = std::max(largest, glow_at(largest_density_ * std::hypot(before, distance), std::atan2(distance, before)));
+    largest = std::max(largest, glow_in_layers(std::hypot(before / 2, distance), std::atan2(distance, before)));
   }
   return largest;
 }
 
 double AirlightBound::higher_orders(double distance) const {
   if (!glow_.table) return 0;
-  double range = std::abs(distance - eye_range_);
-  if (is_layered_) range = std::max(range, 0.5 * near_);  // beside_peak() of shaders/airlight/higher_orders.glsl
   double weight = 0;
   for (const Band& band : bands()) {
-    weight = std::max(weight, band.density * fog_factor_at({mode_, band.seen.density}, std::max(distance, band.seen.nearest)));
+    weight = std::max(weight,
+                      band.density * fog_factor_at({mode_, band.seen.density}, std::max(distance, band.seen.nearest)));
   }
-  return weight / largest_density_ * glow_at(largest_density_ * range, FarAirlightList::kPeakAngle);
+  weight /= largest_density_;
+  const double beyond = distance - eye_range_;
+  if (!is_layered_) return weight * glow_at(largest_density_ * std::abs(beyond), FarAirlightList::kPeakAngle);
+  const double passing = 0.5 * near_;  // beside_peak() of shaders/airlight/higher_orders.glsl
+  return weight * (beyond > 0 ? glow_in_layers(std::max(beyond, passing), std::numbers::pi / 2) : glow_beside(passing));
 }
 
 double AirlightBound::higher_orders_reach(double budget) const {
@@ -203,7 +219,7 @@ double AirlightBound::higher_orders_reach(double budget) const {
   const double left_out = is_layered_ ? 0 : glow_beside(near_);
   double low = 0, high = near_;
   if (glow_beside(0) - left_out <= budget) return 0;
-  for (int i = 0; i < 24; ++i) {
+  for (int i = 0; i < 12; ++i) {
     const double middle = (low + high) / 2;
     (glow_beside(middle) - left_out > budget ? low : high) = middle;
   }

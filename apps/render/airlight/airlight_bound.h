@@ -39,8 +39,9 @@ struct PointGlow {
 /// distance from the eye, r that from the light, L from the eye to the light. litfog/shaders/airlight_bound.glsl bounds
 /// the fog's weight -f'(s) f(r) and the attenuation's integral. In layers the weight's bound is the largest of
 /// those of bands of height: fog of a band is at least as far away as the band, and hides on either leg at least what
-/// Atmosphere::thinnest_fog_between() does. Along a ray the angle of scattering rises from the angle between the ray and the vector to the light, so that a ray which passes the light at a distance h has the
-/// phase function of asin(h / L) and of larger angles only, and beyond the light that of right angles and larger ones.
+/// Atmosphere::thinnest_fog_between() does. Along a ray the angle of scattering rises from the angle between the ray and
+/// the vector to the light, so that a ray which passes the light at a distance h has the phase function of asin(h / L)
+/// and of larger angles only, and beyond the light that of right angles and larger ones.
 class AirlightBound {
  public:
   static constexpr double kLeastReach = 1e-3;    ///< metres: AirlightTiles see no light that reaches 1e-5
@@ -85,7 +86,9 @@ class AirlightBound {
   double far_peak_reach(double budget) const;
 
   /// What the light adds by being scattered twice and more often to a ray from a distance from the eye on, where angles
-  /// below FarAirlightList::kPeakAngle count as that: it falls with depth and angle.
+  /// below FarAirlightList::kPeakAngle count as that: it falls with depth and angle. In layers rays near the light count
+  /// as in beside_peak() of shaders/airlight/higher_orders.glsl, and what they receive is taken as no more than endless
+  /// fog of the layers' density sends from any place of the ray.
   double higher_orders(double distance) const;
 
   /// Range from the light beyond which rays pass it with at most a budget of the peak that higher_orders() leaves out
@@ -105,6 +108,8 @@ class AirlightBound {
   double angle_at(double distance) const;  // smallest of scattering, for rays that pass the light at a distance
   double largest_phase_at(double distance) const { return scattering_->largest_from(angle_at(distance)); }
   double glow_at(double depth, double angle) const;
+  /// The same of layers, at a range from the light: as of endless fog of any density up to the largest.
+  double glow_in_layers(double range, double angle) const;
   /// What is scattered twice and more often to rays that pass the light at a distance. In layers it may come from near
   /// the light through clear air.
   double glow_beside(double distance) const;

@@ -57,7 +57,7 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
     }
     return true;
   };
-  // A bisection, since what is left out falls with the depth.
+  // Any depth at which it is enough will do.
   const auto depth_of = [](int step) { return kSkyDistance * std::pow(1.25, -step); };
   int enough = 0, too_near = 49;  // less than a metre
   while (too_near - enough > 1) {

@@ -36,7 +36,8 @@ HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> co
     return beam_of_cone.emplace_back(cone, add(beam_moments(cone))).second;
   };
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    sources.emplace_back(source_intensity(lights.lights()[i].light, atmosphere), beam_of(i), mean_cosine(atmosphere.phase), 0);
+    const double intensity = source_intensity(lights.lights()[i].light, atmosphere);
+    sources.emplace_back(intensity, beam_of(i), mean_cosine(atmosphere.phase), 0);
   }
 }
 

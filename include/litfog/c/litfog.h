@@ -445,7 +445,7 @@ typedef struct litfog_scattered_beam {
 
 /// A light as the fog around it scatters it.
 typedef struct litfog_scattering_source {
-  double intensity;     ///< m^2, that of litfog_effective_intensity; 0 in clear air and in total fog
+  double intensity;     ///< m^2, of litfog_effective_intensity, in the densest layer; 0 in clear air and total fog
   double phase_cosine;  ///< mean cosine of the phase function
   int32_t is_cone;      ///< 0: a point lamp
   litfog_scattered_beam beam;
@@ -603,7 +603,7 @@ LITFOG_API litfog_status litfog_updater_remove(litfog_updater* updater, litfog_l
 LITFOG_API litfog_status litfog_updater_set_fog(litfog_updater* updater, const litfog_fog* fog,
                                                 litfog_fog_light_changes* changes);
 
-/// Lets set_fog solve the effective intensity of each kind, too, for all orders of scattering.
+/// Lets set_fog solve the effective intensity of each kind, too, for all orders of scattering in fog without layers.
 LITFOG_API litfog_status litfog_updater_solve_effective_intensities(litfog_updater* updater);
 /// The effective intensities, m^2, one a kind; none unless they are solved. Valid as long as the tables.
 LITFOG_API litfog_status litfog_updater_effective_intensities(const litfog_updater* updater, const float** intensities,

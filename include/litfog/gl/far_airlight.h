@@ -29,10 +29,11 @@ class FarAirlight {
 
   /// Draws the grid. A vertex array must be bound; no faces may be culled, and the scissor test must be off. Binds the
   /// tables to texture units 14 and 15 and a uniform buffer to binding point 35, which every OpenGL 3.3 has, and leaves
-  /// blending off. Program, framebuffer and viewport stay as they are. Compiles a program for each fog mode, number of
+  /// blending off, with other
+  /// functions, and unit 15 active. Program, framebuffer and viewport stay as they are. Compiles a program for each fog mode, number of
   /// knots and whether the phase function is isotropic, when it first meets them.
   ///
-  /// lights  of the tables, from the first on
+  /// lights  of the tables, from the first on, of density scales of at least 1: what is far is hidden by such fog
   /// throws  std::invalid_argument naming field, value and rule of the view or the atmosphere
   void draw(const View& view, const Atmosphere& atmosphere, const FogLightTables& tables, std::size_t lights);
 

@@ -657,15 +657,17 @@ LitfogAirlightStretch litfog_airlight_lit(LitfogAirlight air) {
   return lit;
 }
 
-// Metres from the eye to where a ray enters the layers, litfog_far where it does not; 0 where there is fog beyond them.
+// Metres from the eye to where a ray enters the layers: 0 where the eye is in fog or between layers, litfog_far where the
+// ray does not enter them.
 LITFOG_REAL litfog_airlight_start_of_layers(LitfogAirlight air) {
   LITFOG_REAL height = litfog_airlight_height(air, -air.approach);
   if (litfog_airlight_density(air, -air.approach) > LITFOG_REAL(0.0)) return LITFOG_REAL(0.0);
   LITFOG_REAL bottom = litfog_knot_height(0);
   LITFOG_REAL top = litfog_knot_height(litfog_knot_count() - 1);
   if (height > bottom && height < top) return LITFOG_REAL(0.0);
-  LITFOG_REAL rise = (height < bottom ? bottom : top) - height;
-  return rise * air.rise > LITFOG_REAL(0.0) ? rise / air.rise : litfog_far;
+  bool is_below = height <= bottom;
+  bool enters = is_below ? air.rise > LITFOG_REAL(0.0) : air.rise < LITFOG_REAL(0.0);
+  return enters ? ((is_below ? bottom : top) - height) / air.rise : litfog_far;
 }
 
 // Metres from the eye to where a ray has passed all layers and, where there is fog beyond, some optical depths of that.

@@ -104,6 +104,7 @@ vec3 litfog_far_airlight(vec2 place, vec3 eye, vec3 direction, float range) {
   vec2 size = vec2(textureSize(litfog_far_airlight_grid, 0).xy);
   vec2 at = (place * (size - 1.0) + 0.5) / size;
   float depth = texelFetch(litfog_far_airlight_grid, ivec3(0, 0, litfog_far_slabs - 1), 0).a;
+  if (!(depth > 0.0)) return vec3(0.0);  // nothing has been drawn
   float reached = min(range, depth);
   int slab = min(int(sqrt(reached / depth) * float(litfog_far_slabs)), litfog_far_slabs - 1);
   vec3 before = slab > 0 ? textureLod(litfog_far_airlight_grid, vec3(at, float(slab - 1)), 0.0).rgb : vec3(0.0);

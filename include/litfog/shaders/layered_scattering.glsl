@@ -2,8 +2,8 @@
 // litfog: light that layers of fog scatter to the eye twice and more often, M of litfog/multiple_scattering.h. Shared
 // with C++ as airlight.glsl is; GLSL includes it after multiple_scattering.glsl.
 //
-// At a place, layers count as endless fog of the mean density between the place and the lamp, of whose light they keep
-// a part: the rest leaves them above and below.
+// Layers are taken as endless fog whose density is the mean between place and lamp. They keep part of its light; the
+// rest escapes above and below.
 
 #ifndef LITFOG_LAYERED_SCATTERING_GLSL
 #define LITFOG_LAYERED_SCATTERING_GLSL
@@ -25,13 +25,15 @@ LITFOG_CONSTANT LITFOG_REAL litfog_thickest_layer = LITFOG_REAL(1.0e15);
 // the powers below. It is 0.71 in Milne's problem (Kenneth Case and Paul Zweifel 1967, "Linear Transport Theory").
 LITFOG_CONSTANT LITFOG_REAL litfog_beyond_slab = LITFOG_REAL(1.0);
 
-// Powers of litfog_scattered_again() at the place, near the lamp and far from it, and at the lamp far from the place,
-// and the distance between near and far in transport mean free paths: fitted to walks in slabs of 0.1 to 10 optical
-// depths.
-LITFOG_CONSTANT LITFOG_REAL litfog_slab_power_near = LITFOG_REAL(0.1);
-LITFOG_CONSTANT LITFOG_REAL litfog_slab_power_far = LITFOG_REAL(2.6);
-LITFOG_CONSTANT LITFOG_REAL litfog_slab_power_lamp = LITFOG_REAL(0.3);
-LITFOG_CONSTANT LITFOG_REAL litfog_slab_far = LITFOG_REAL(4.0);
+// Powers of litfog_scattered_again(), fitted to walks in slabs of 0.1 to 10 optical depths.
+LITFOG_CONSTANT LITFOG_REAL litfog_slab_power_near = LITFOG_REAL(0.1);  // of the place, near the lamp
+LITFOG_CONSTANT LITFOG_REAL litfog_slab_power_far = LITFOG_REAL(2.6);   // of the place, by how much more far from it
+LITFOG_CONSTANT LITFOG_REAL litfog_slab_power_lamp = LITFOG_REAL(0.3);  // of the lamp, far from the place
+LITFOG_CONSTANT LITFOG_REAL litfog_slab_far = LITFOG_REAL(4.0);  // where near and far meet, transport mean free paths
+
+// Metres beyond which fog adds nothing that is seen; their square over that of the shortest stretch is finite in
+// floats.
+LITFOG_CONSTANT LITFOG_REAL litfog_longest_layered_ray = LITFOG_REAL(1.0e8);
 
 // Optical depth between two heights of the layers, lowest <= highest, straight up.
 LITFOG_REAL litfog_layer_column(LitfogAirlight air, LITFOG_REAL lowest, LITFOG_REAL highest) {
@@ -47,11 +49,14 @@ LITFOG_REAL litfog_depth_of_stretch(LitfogAirlight air, LITFOG_REAL from, LITFOG
   return (to - from) * density;
 }
 
+LITFOG_REAL litfog_largest_layer_density(LitfogAirlight air) {
+  return max(air.density + air.layer_scale * litfog_largest_profile_density(), LITFOG_REAL(1.0e-30));
+}
+
 // The optical depth that stands for the endless fog beyond the outermost knot: none where it is thin beside the densest
 // fog, endless where it is as dense.
 LITFOG_REAL litfog_depth_beyond(LitfogAirlight air, int knot) {
-  LITFOG_REAL part = (air.density + air.layer_scale * litfog_knot_density(knot)) /
-                     (air.density + air.layer_scale * litfog_largest_profile_density());
+  LITFOG_REAL part = (air.density + air.layer_scale * litfog_knot_density(knot)) / litfog_largest_layer_density(air);
   return part * part / max(LITFOG_REAL(1.0) - part, LITFOG_REAL(1.0e-6));
 }
 
@@ -63,8 +68,9 @@ LITFOG_REAL litfog_exponential_integral(LITFOG_REAL depth) {
 
 // The part of light, sent evenly to all sides, that a slab scatters before it leaves.
 LITFOG_REAL litfog_scattered_again(LITFOG_REAL above, LITFOG_REAL below) {
-  return LITFOG_REAL(1.0) -
-         LITFOG_REAL(0.5) * (litfog_exponential_integral(above) + litfog_exponential_integral(below));
+  LITFOG_REAL escapes =
+      LITFOG_REAL(0.5) * (litfog_exponential_integral(above) + litfog_exponential_integral(below));
+  return max(LITFOG_REAL(1.0) - escapes, LITFOG_REAL(1.0e-30));
 }
 
 // The layers as a slab of scattering fog.
@@ -106,8 +112,7 @@ LitfogEndlessFog litfog_endless_fog(LitfogAirlight air, LitfogSlab slab, LITFOG_
 }
 
 // The part of what that fog scatters that layers keep: of diffusion in a slab from which no light comes back, with one
-// image of the lamp beyond either edge, times powers of what is scattered again, of which there is little in a thin
-// slab.
+// image of the lamp beyond either edge, times powers of the fraction scattered again, which is small in a thin slab.
 //
 // beside        metres between the place and the lamp, level
 // phase_cosine  mean cosine of the phase function
@@ -128,12 +133,12 @@ LITFOG_REAL litfog_kept_in_slab(LitfogSlab slab, LitfogEndlessFog fog, LITFOG_RE
              litfog_slab_power_lamp * far * log(litfog_scattered_again(over_lamp, slab.lamp)));
 }
 
-// A stretch of the ray in layers, short beside the distance to the lamp.
+// A stretch of the ray in layers.
 struct LitfogLayeredStretch {
   LITFOG_REAL from;  // metres from the eye
   LITFOG_REAL to;
   LITFOG_REAL place;  // the middle of its fog
-  LITFOG_REAL part;   // of what endless fog sends to its beginning, what reaches the eye if the slab keeps all
+  LITFOG_REAL part;   // fraction of the endless fog's light that reaches the eye, if the slab keeps all
   LitfogEndlessFog fog;
 };
 
@@ -179,31 +184,75 @@ LITFOG_REAL litfog_scattered_in_stretch(LitfogAirlight air, LitfogSlab slab, Lit
          max(litfog_scattered_from(endless, stretch.from - air.approach, LITFOG_REAL(0.0)) - beyond, LITFOG_REAL(0.0));
 }
 
-// M along a ray in layers, over the lamp's effective intensity.
+// The light of litfog_scattered_light(), in layers, at a height.
 //
-// beam  index of the cone's ScatteredBeam; below 0 for a point lamp
-LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
-  const int pieces = 64;
-  LITFOG_REAL first = litfog_airlight_start_of_layers(air);
-  LITFOG_REAL last = min(air.ray_length, litfog_airlight_end_of_layers(air, LITFOG_REAL(12.0)));
-  if (!(last > first)) return LITFOG_REAL(0.0);
+// range   metres from the lamp
+// cosine  between the beam's axis and the direction away from the lamp
+LitfogScatteredLight litfog_scattered_light_in_layers(LitfogAirlight air, LITFOG_REAL height, LITFOG_REAL range,
+                                                      LITFOG_REAL beam, LITFOG_REAL cosine, LITFOG_REAL phase_cosine) {
   LitfogSlab slab = litfog_slab(air);
-  LITFOG_REAL width = max(air.offset, LITFOG_REAL(1.0e-4) * (last - first));
+  LitfogEndlessFog fog = litfog_endless_fog(air, slab, height);
+  LITFOG_REAL rise = height - air.lamp_height;
+  LITFOG_REAL beside = sqrt(max(range * range - rise * rise, LITFOG_REAL(0.0)));
+  LITFOG_REAL kept = litfog_kept_in_slab(slab, fog, beside, phase_cosine);
+  LitfogScatteredLight light = litfog_scattered_light(fog.density * range, range, beam, cosine);
+  light.all *= kept;
+  light.radial *= kept;
+  light.turned *= kept;
+  return light;
+}
+
+// M of a stretch of a ray between knots of layers, two distances from the eye, as litfog_layered_scattering() has it.
+LITFOG_REAL litfog_scattered_between_knots(LitfogAirlight air, LitfogSlab slab, LITFOG_REAL first, LITFOG_REAL last,
+                                           LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
+  const int pieces = 24;
+  LITFOG_REAL near = max(air.approach, -air.approach) +
+                     LITFOG_REAL(1.0) / min(litfog_largest_layer_density(air), litfog_densest_layer);
+  LITFOG_REAL width = max(air.offset, LITFOG_REAL(1.0e-4) * near);
   LITFOG_REAL start = asinh((first - air.approach) / width);
   LITFOG_REAL step = (asinh((last - air.approach) / width) - start) / LITFOG_REAL(pieces);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
   LITFOG_REAL from = first;
   for (int i = 1; i <= pieces; ++i) {
     LITFOG_REAL t = start + step * LITFOG_REAL(i);
-    LITFOG_REAL to =
-        i < pieces ? clamp(air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)), from, last) : last;
+    LITFOG_REAL to = last;
+    if (i < pieces) to = clamp(air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)), from, last);
     LitfogLayeredStretch stretch = litfog_layered_stretch(air, slab, from, to);
     LITFOG_REAL scattered = litfog_scattered_in_stretch(air, slab, stretch, phase_cosine);
     if (beam >= LITFOG_REAL(0.0) && scattered > LITFOG_REAL(0.0)) {
-      scattered *=
-          litfog_beam_share(litfog_in_endless_fog(air, stretch), stretch.place - air.approach, beam, phase_cosine);
+      LitfogAirlight endless = litfog_in_endless_fog(air, stretch);
+      scattered *= litfog_beam_share(endless, stretch.place - air.approach, beam, phase_cosine);
     }
     sum += scattered;
+    from = to;
+  }
+  return sum;
+}
+
+// M along a ray in layers, over the lamp's effective intensity.
+//
+// beam  index of the cone's ScatteredBeam; below 0 for a point lamp
+LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
+  LITFOG_REAL from = litfog_airlight_start_of_layers(air);
+  LITFOG_REAL last = min(min(air.ray_length, litfog_airlight_end_of_layers(air, LITFOG_REAL(12.0))),
+                         litfog_longest_layered_ray);
+  LitfogSlab slab = litfog_slab(air);
+  LITFOG_REAL eye_height = litfog_airlight_height(air, -air.approach);
+  LITFOG_REAL sum = LITFOG_REAL(0.0);
+  int knots = litfog_knot_count();
+  for (int i = 0; i <= knots; ++i) {
+    LITFOG_REAL to = last;
+    if (i < knots) {
+      if (air.rise == LITFOG_REAL(0.0)) continue;
+      LITFOG_REAL height = litfog_knot_height(air.rise > LITFOG_REAL(0.0) ? i : knots - 1 - i);
+      to = min((height - eye_height) / air.rise, last);
+    }
+    if (!(to > from)) continue;
+    // Densities between knots are between theirs: an end that lies behind 12 optical depths is not seen.
+    LITFOG_REAL thinnest =
+        min(litfog_airlight_density(air, from - air.approach), litfog_airlight_density(air, to - air.approach));
+    LITFOG_REAL seen = min(to, from + LITFOG_REAL(12.0) / max(thinnest, LITFOG_REAL(1.0e-30)));
+    sum += litfog_scattered_between_knots(air, slab, from, seen, beam, phase_cosine);
     from = to;
   }
   return sum;

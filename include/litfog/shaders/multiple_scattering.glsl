@@ -75,6 +75,12 @@ LITFOG_CONSTANT LITFOG_REAL litfog_last_beam_depth = LITFOG_REAL(12.0);
 LITFOG_CONSTANT LITFOG_REAL litfog_beam_depth_step = LITFOG_REAL(0.4264619770);  // ln(last / first) / 15
 LITFOG_CONSTANT LITFOG_REAL litfog_beam_angle_step = LITFOG_REAL(0.1365909849);  // pi / 23
 
+// Of litfog_beam_share(), fitted to random walks: the strength of light that has hardly been turned, and the power of the
+// cone's edge in it.
+LITFOG_CONSTANT LITFOG_REAL litfog_unturned_of_cosine = LITFOG_REAL(0.6);
+LITFOG_CONSTANT LITFOG_REAL litfog_edge_power = LITFOG_REAL(1.2);
+LITFOG_CONSTANT LITFOG_REAL litfog_edge_power_of_unturned = LITFOG_REAL(1.6);
+
 // M d^-2 of a lamp of 1 / r^2 in endless fog of density d, at an optical depth from the lamp and an angle between the ray
 // and the direction to the lamp. Depths and angles below the table's count as its first. Beyond its last depth the light
 // falls as that of diffusion does, by 1 / depth.
@@ -134,13 +140,13 @@ LITFOG_REAL litfog_beam_share(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL
   LITFOG_REAL mean_cosine = min(even * flow / scattered.share, LITFOG_REAL(0.95));
   LITFOG_REAL cone = scattered.share * litfog_scattered_lobe(mean_cosine, clamp(ahead, LITFOG_REAL(-1.0), LITFOG_REAL(1.0)));
   LITFOG_REAL point = litfog_scattered_lobe(even, -away);
-  // Some of the light has hardly been turned yet. It lights the peak of the phase function. A cone has it inside alone,
-  // with an edge that is the sharper the less a scattering turns light. The numbers are fitted to random walks.
+  // Some of the light has hardly been turned yet. It lights the peak of the phase function. Only inside the cone is there
+  // such light; the less a scattering turns it, the sharper that edge.
   LITFOG_REAL unturned = litfog_second_weight(air.phase);
-  LITFOG_REAL straight = (LITFOG_REAL(0.6) * phase_cosine * phase_cosine + unturned) * scattered.forward *
+  LITFOG_REAL straight = (litfog_unturned_of_cosine * phase_cosine * phase_cosine + unturned) * scattered.forward *
                          scattered.forward * litfog_phase(air.phase, LITFOG_REAL(1.0) + away);
   LITFOG_REAL inside = litfog_scattered_beam(beam, LITFOG_REAL(0.0), column).share;
-  cone += straight * pow(inside, LITFOG_REAL(1.2) + LITFOG_REAL(1.6) * unturned);
+  cone += straight * pow(inside, litfog_edge_power + litfog_edge_power_of_unturned * unturned);
   point += straight;
   return min(cone / point, LITFOG_REAL(1.0));
 }

@@ -6,12 +6,13 @@
 #include "cookie.glsl"
 #include "airlight/far_airlight.glsl"
 #include "litfog/shaders/far_airlight.glsl"
+uniform vec3 eye;
+
 #ifdef HAS_HIGHER_ORDERS
 #include "airlight/higher_orders.glsl"
 #endif
 #include "pixel_direction.glsl"
 
-uniform vec3 eye;
 uniform isamplerBuffer far_lights;
 uniform int first_light;
 uniform int light_count;
@@ -19,6 +20,7 @@ uniform int row_count;  // texel rows of eight slabs; the next eight slabs are a
 
 const int slab_parts = 3;      // of a slab, in each of which a cone has one share
 const float faint = 0.001;  // of eight slabs: so little light that its place among them is not seen
+const float dim = 0.02;     // of eight slabs: so little that slabs in layers do as a whole
 
 layout(location = 0) out vec4 sums[slabs_at_once];
 
@@ -39,17 +41,19 @@ void main() {
     light.axis_profile.w = profile;
     vec3 lamp = light.color_intensity.rgb * litfog_airlight_unit();
 #ifdef HAS_HIGHER_ORDERS
-    float density = litfog_light_fog_density(light);
     LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, litfog_far);
     vec4 source = texelFetch(scattering_sources, index);
     if (litfog_airlight_is_layered(air)) {
       LitfogAirlight beside = beside_peak(air);
       LitfogSlab fog_slab = litfog_slab(air);
-      for (int part = 0; part < slabs_at_once * slab_parts; ++part) {
-        int slab = part / slab_parts;
+      LitfogLayeredStretch all = litfog_layered_stretch(air, fog_slab, begins[0], begins[slabs_at_once]);
+      float brightest = max(max(lamp.r, lamp.g), lamp.b) * scattered_in_layers(source, beside, fog_slab, all);
+      int parts = brightest < dim ? 1 : slab_parts;
+      for (int part = 0; part < slabs_at_once * parts; ++part) {
+        int slab = part / parts;
         float begin = begins[slab];
-        float size = (begins[slab + 1] - begin) / float(slab_parts);
-        begin += float(part % slab_parts) * size;
+        float size = (begins[slab + 1] - begin) / float(parts);
+        begin += float(part % parts) * size;
         LitfogLayeredStretch stretch = litfog_layered_stretch(air, fog_slab, begin, begin + size);
         slabs[slab] += lamp * scattered_in_layers(source, beside, fog_slab, stretch);
       }
@@ -60,10 +64,10 @@ void main() {
         // It is spread over the slabs as the fog before them dims light.
         float middle = begins[slabs_at_once / 2];
         vec3 left = lamp * ((before - last) * scattered_share(source, air, middle));
-        float begin = exp(-density * begins[0]);
-        float whole = max(begin - exp(-density * begins[slabs_at_once]), 1.0e-30);
+        float begin = exp(-air.density * begins[0]);
+        float whole = max(begin - exp(-air.density * begins[slabs_at_once]), 1.0e-30);
         for (int slab = 0; slab < slabs_at_once; ++slab) {
-          float end = exp(-density * begins[slab + 1]);
+          float end = exp(-air.density * begins[slab + 1]);
           slabs[slab] += left * ((begin - end) / whole);
           begin = end;
         }

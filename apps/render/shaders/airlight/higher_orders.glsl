@@ -27,16 +27,16 @@ float scattered_in_layers(vec4 source, LitfogAirlight air, LitfogSlab slab, Litf
   return scattered * scattered_share(source, litfog_in_endless_fog(air, stretch), stretch.place);
 }
 
-// The glow of a lamp in layers is as fine as they are thick. In the sum over all lights, rays that pass the lamp near
-// are taken farther away, and its beam, which is fine, too, is turned across them. Near is within litfog_far_peak_angle
-// of it, or up to most_flattened times as far where the eye looks into layers from outside: the flatter it looks, the farther
-// apart rays enter them.
+// In layers a lamp's glow has detail as fine as they are thick. For the sum over all lights, rays that pass the lamp
+// within a distance count as passing it farther off, and as across its beam, so that the sum has no finer detail than
+// its grid. The distance is that of litfog_far_peak_angle, up to most_flattened times as much where the eye looks down
+// or up into layers from outside: neighbouring rays then meet the fog at places farther apart.
 const float most_flattened = 4.0;  // AirlightBound::kMostFlattened
 
 LitfogAirlight beside_peak(LitfogAirlight air) {
-  float rise = abs(air.height - air.approach * air.rise - air.lamp_height);
   float near = air.approach / litfog_far_peak_cotangent;
-  if (litfog_airlight_density(air, -air.approach) == 0.0) {
+  if (air.density + air.layer_scale * litfog_profile_density(eye.y) == 0.0) {  // alike for all rays
+    float rise = abs(eye.y - air.lamp_height);
     near *= clamp(length(vec2(air.approach, air.offset)) / max(rise, 1.0e-6), 1.0, most_flattened);
   }
   if (air.offset >= near) return air;
@@ -82,8 +82,8 @@ float layered_peak_gain(int light_index, LitfogAirlight air) {
   return max(added, 0.0) / (to - from);
 }
 
-// The peak that the sum over all lights lacks: there is none but before the lamp. To be multiplied with the light's colour
-// and litfog_airlight_unit().
+// The peak that the sum over all lights lacks: there is none but before the lamp. To be multiplied with the light's
+// colour and litfog_airlight_unit().
 float higher_orders_peak(int light_index, LitfogAirlight air) {
   if (litfog_airlight_is_layered(air)) return layered_peak(texelFetch(scattering_sources, light_index), air);
   float first = air.offset * litfog_far_peak_cotangent;  // where the angle is that of the peak

@@ -39,16 +39,11 @@ void main() {
     vec3 turned = away * cosine - axis;
     turned *= inversesqrt(max(dot(turned, turned), 1.0e-12));
     LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, seen);
-    float density = air.density;
-    float kept = 1.0;
-    if (litfog_airlight_is_layered(air)) {
-      LitfogSlab slab = litfog_slab(air);
-      LitfogEndlessFog fog = litfog_endless_fog(air, slab, position.y);
-      density = fog.density;
-      kept = litfog_kept_in_slab(slab, fog, length(away.xz) * range, source.z);
-    }
-    LitfogScatteredLight scattered = litfog_scattered_light(density * range, range, source.y, cosine);
-    vec3 color = source.x * kept * light.color_intensity.rgb;
+    LitfogScatteredLight scattered =
+        litfog_airlight_is_layered(air)
+            ? litfog_scattered_light_in_layers(air, position.y, range, source.y, cosine, source.z)
+            : litfog_scattered_light(air.density * range, range, source.y, cosine);
+    vec3 color = source.x * light.color_intensity.rgb;
     float luminance = dot(color, vec3(0.2126, 0.7152, 0.0722));  // Rec. 709
     all.rgb += color * scattered.all;
     flow += luminance * vec4(scattered.radial * away + scattered.turned * turned, scattered.all);
