@@ -506,14 +506,14 @@ TEST_F(ReferencePictureTest, AllOrdersInLayersAreThoseOfTheReference) {
     const Scene scene = read_scene(bundled_scene_path(name));
     RenderSettings settings = by_airlight();
     settings.scattering = Scattering::all;
-    Renderer renderer(scene, 96, 54, settings);
+    Renderer renderer(scene, 48, 27, settings);
     const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp, suggested_visibility(scene)));
     const std::string measured = fmt::format("{}: largest {:6.3f}, mean {:6.3f}, {} excluded", name, error.largest,
                                              error.mean, error.excluded);
     fmt::print("{}\n", measured);
     EXPECT_LE(error.largest, 18) << measured;
     EXPECT_LE(error.mean, 0.3) << measured;
-    EXPECT_LE(error.excluded, 108u) << measured;
+    EXPECT_LE(error.excluded, 27u) << measured;
   }
 }
 
