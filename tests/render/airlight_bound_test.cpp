@@ -86,5 +86,21 @@ TEST(RenderAirlightBound, HigherOrdersAreNoMoreThanTheirBound) {
   EXPECT_GT(attacked, 500);
 }
 
+TEST(RenderAirlightBound, LightInTheEyeGlowsInLayers) {
+  Atmosphere air{.fog = {FogMode::exp, 1}};
+  const ScatteringTable table = make_scattering_table(air);
+  air.fog.density = 0;
+  air.profile = make_density_profile(std::array<DensityKnot, 4>{{{-1, 0}, {0, 1}, {3, 1}, {4, 0}}});
+  PlacedLight light;
+  light.position = {2, 1, -3};
+  const ScatteringBound scattering(air.phase);
+  const AirlightBound bound(light, 100, air, scattering, light.position, {&table, source_intensity(light.light, air)});
+  const double seen =
+      airlight_unit(air) * multiple_scattering(light, air, table, {.origin = light.position, .direction = {1, 0, 0}});
+  EXPECT_GT(seen, 0);
+  EXPECT_LE(seen, bound.higher_orders(0));
+  EXPECT_TRUE(std::isfinite(bound.higher_orders(0)));
+}
+
 }  // namespace
 }  // namespace litfog::test

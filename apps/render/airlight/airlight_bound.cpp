@@ -63,7 +63,7 @@ AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmo
       brightness_(airlight_unit(atmosphere) * largest_component(light.light.color)),
       eye_range_(glm::distance(eye, light.position)) {
   const bool sees_layers_from_outside = is_layered_ && !(atmosphere.fog_at(eye.y).density > 0);
-  const double rise = std::abs(eye.y - light.position.y);
+  const double rise = std::max(std::abs(eye.y - light.position.y), 1e-6);  // as in beside_peak()
   const double flattened = sees_layers_from_outside ? std::clamp(eye_range_ / rise, 1.0, kMostFlattened) : 1;
   near_ = eye_range_ * std::min(std::sin(FarAirlightList::kPeakAngle) * flattened, 1.0);
   const double scale = light.light.density_scale;
@@ -194,9 +194,11 @@ double AirlightBound::glow_in_layers(double range, double angle) const {
 double AirlightBound::glow_beside(double distance) const {
   if (!is_layered_) return glow_at(largest_density_ * eye_range_, angle_at(distance));
   double largest = 0;
-  for (double before = eye_range_; before > std::max(distance / 4, kLeastReach); before /= 2) {
+  double before = std::max(eye_range_, kLeastReach);
+  do {
     largest = std::max(largest, glow_in_layers(std::hypot(before / 2, distance), std::atan2(distance, before)));
-  }
+    before /= 2;
+  } while (before > std::max(distance / 4, kLeastReach));
   return largest;
 }
 

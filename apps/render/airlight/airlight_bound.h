@@ -45,9 +45,9 @@ struct PointGlow {
 class AirlightBound {
  public:
   static constexpr double kLeastReach = 1e-3;    ///< metres: AirlightTiles see no light that reaches 1e-5
-  /// By how much rays that look into layers from outside pass the light farther away and still count as near it.
-  static constexpr double kMostFlattened = 4;
   static constexpr double kFarthestReach = 1e9;  ///< metres, for lights without an end: floats hold its square
+  /// By how much farther off rays that look into layers from outside may pass the light and still count as near it.
+  static constexpr double kMostFlattened = 4;
 
   /// extent  of the light, metres
   ///

@@ -94,7 +94,8 @@ AirlightList list_airlight(const SceneLights& lights, const Atmosphere& atmosphe
         is_beam ? std::max(4 * pixel / std::tan(beam.angle), std::min(kBeamBend * bend_range, most_bend_range)) : 0;
     found.push_back({{.profile = int(lights.instances()[i].axis_profile.w),
                       .has_shafts = has_shafts,
-                      .has_knee = placed.light.attenuation.constant<1, .has_far_peak = far_peak_reach> 0,
+                      .has_knee = (placed.light.attenuation.constant < 1),
+                      .has_far_peak = (far_peak_reach > 0),
                       .has_higher_orders = higher_orders_reach > 0},
                      {.light = float(i),
                       .reach = float(reach),

@@ -32,7 +32,8 @@ struct FarAirlightList {
   std::vector<Range> ranges;
   double depth = 0;  ///< metres from the eye, beyond which nothing visible is added; at most kSkyDistance
 
-  /// Where a section begins, and where the last one ends: metres from the eye. Sections grow with the distance.
+  /// Where a section begins without layers, and where the last one ends: metres from the eye. Sections grow with the
+  /// distance. In layers all sections have all lights.
   double section_begin(int section) const { return depth * section * section / (kSections * kSections); }
 };
 

@@ -18,9 +18,9 @@ uniform int first_light;
 uniform int light_count;
 uniform int row_count;  // texel rows of eight slabs; the next eight slabs are above
 
-const int slab_parts = 3;      // of a slab, in each of which a cone has one share
+const int slab_parts = 3;   // of a slab, in each of which a cone has one share
 const float faint = 0.001;  // of eight slabs: so little light that its place among them is not seen
-const float dim = 0.02;     // of eight slabs: so little that slabs in layers do as a whole
+const float dim = 0.02;     // of eight slabs: so little light that slabs in layers are not cut into parts
 
 layout(location = 0) out vec4 sums[slabs_at_once];
 
