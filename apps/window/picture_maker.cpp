@@ -84,8 +84,7 @@ class KeptRenderer {
   std::optional<double> chosen_;  // the last automatic exposure
 };
 
-/// The settings whose shaders compile soonest. The window's first picture of the street then takes 2.4 s of processor
-/// time on llvmpipe in place of 16 s, and 0.7 s in place of 2.0 s where the shaders are cached.
+/// The settings whose shaders compile soonest.
 drawing::DrawingOptions roughened(drawing::DrawingOptions options) {
   options.render.path = render::find_lighting_path("vertex");
   options.render.shadows = render::Shadows::none;

@@ -14,7 +14,7 @@
 namespace litfog::gl {
 namespace {
 
-constexpr int kUnit = 14;             // the last two texture units of every OpenGL 3.3, for hosts fill them from 0 on
+constexpr int kUnit = 14;             // the last two of a fragment shader's 16 texture units, for hosts fill them from 0 on
 constexpr int kBlockBinding = 35;     // its last binding point
 constexpr int kSlabs = 8;             // litfog_far_slabs
 constexpr double kHidden = 1e-3;      // fraction of light that fog lets through from beyond the grid
