@@ -154,7 +154,7 @@ LITFOG_REAL litfog_airlight_by_angles(LitfogAirlight air, LITFOG_REAL along) {
 // Whether there are layers of fog.
 bool litfog_airlight_is_layered(LitfogAirlight air) {
 #ifdef LITFOG_KNOT_COUNT
-  if (LITFOG_KNOT_COUNT == 0) return false;
+  return LITFOG_KNOT_COUNT > 0;
 #endif
   return air.layer_scale > LITFOG_REAL(0.0) && litfog_knot_count() > 0;
 }
