@@ -64,7 +64,7 @@ struct LightFeed {
   /// pass that draws a surface first adds the fog of all lights, by the cones' formula.
   bool bring_fog = false;
   /// all: shaders take kMaxUniformLights lights and a flag for each that exists. Otherwise they are compiled for about
-  /// as many lights as exist.
+  /// as many lights as exist, up to kMaxUnrolledLights.
   bool has_flags = false;
 };
 

@@ -2,8 +2,7 @@
 // The few lights of a pass, passed as uniforms: first those that light the fog, then those that light the surface. If
 // the pass takes all lights (first_light_in_pass is 0), the fog's lights also light the surface and are stored once.
 // Their number is known when the shader is compiled (pass.glsl), and EACH_LIGHT and EACH_FOG_LIGHT are unrolled loops:
-// on llvmpipe a frame of two to six lights takes 1.6 times as long by the light list, where each vector of a light is
-// looked up for each fragment.
+// by the light list, each vector of a light is looked up for each fragment.
 
 #include "cookie.glsl"
 #include "litfog/shaders/light.glsl"

@@ -240,7 +240,7 @@ void SurfacePainter::draw_surfaces(Frame& frame, std::span<const PlannedSurface>
         draw_pass(frame, alike, {.pass = &pass}, fog, {});
         break;
       case LightFeed::Kind::all: {
-        const bool are_listed = rest.size() > kMaxUniformLights;
+        const bool are_listed = rest.size() > (pass.lights.has_flags ? kMaxUniformLights : kMaxUnrolledLights);
         draw_pass(frame, alike, {.pass = &pass, .has_listed_lights = are_listed}, fog,
                   are_listed ? rest.first(0) : rest);
         break;
@@ -275,7 +275,7 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
     if (frame.light.shadows) uniforms.casters.resize(count, ShadowMaps::kNoCaster);
   };
   if (variant.is_first && variant.pass->shows_fog) {
-    variant.has_listed_fog_lights = fog_lights.size() > kMaxUniformLights;
+    variant.has_listed_fog_lights = fog_lights.size() > kMaxUnrolledLights;
     if (!variant.has_listed_fog_lights) {
       for (const std::int32_t light : fog_lights) add_uniform(light);
       variant.fog_light_count = compiled_light_count(uniforms.lights.size());
