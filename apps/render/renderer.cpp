@@ -71,7 +71,7 @@ Renderer::Renderer(const scene::Scene& scene, int width, int height, const Rende
     shadows_.emplace(scene, lights_, surfaces_.surfaces(), framebuffer_.aspect(), settings);
   }
   if (settings.fog_lighting == FogLighting::airlight) {
-    airlight_.emplace(fog_block_, framebuffer_.samples(), settings);
+    airlight_.emplace(fog_block_, sampler_states_, framebuffer_.samples(), settings);
     airlight_->set_size({width, height});
   }
   if (!scene.cookies.empty()) cookies_ = upload_cookies(scene.cookies);
@@ -247,13 +247,15 @@ FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints l
   cookie_cones_.bind(kCookieConeUnit);
   if (shadows_) shadows_->bind();
   clock.end(&StageTimes::surfaces);
-  sampler_states_.set(framebuffer_);
+  framebuffer_.bind();
+  sampler_states_.set();
   if (airlight_) airlight_->far.draw({width(), height()}, view, atmosphere_);
   if (airlight_ && airlight_->scattered) {
     airlight_->scattered->draw({width(), height()}, view, airlight_->far, airlight_->higher_orders);
   }
   clock.end(&StageTimes::airlight);
-  sampler_states_.set(framebuffer_);
+  framebuffer_.bind();
+  sampler_states_.set();
   begin_frame(framebuffer_, atmosphere_.ambient_fog_color);  // SkyDrawing::background
   Interruption interruption(is_unwanted_);
   counts.bytes_uploaded += surfaces_.draw(*settings_.path, plan, view, frame_light(), interruption);

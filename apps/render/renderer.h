@@ -132,8 +132,8 @@ class Renderer {
     SeenRanges seen;
     AirlightPyramid pyramid;
 
-    Airlight(const gl::FogLightBuffer& fog, int samples, const RenderSettings& settings)
-        : far(fog), seen(samples), pyramid(fog, settings) {
+    Airlight(const gl::FogLightBuffer& fog, const SamplerStates& states, int samples, const RenderSettings& settings)
+        : far(fog), seen(samples), pyramid(fog, states, settings) {
       if (has_scattered_light(settings)) scattered.emplace(fog);
     }
     void set_size(glm::ivec2 size);

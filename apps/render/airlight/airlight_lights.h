@@ -28,7 +28,7 @@ class AirlightLights {
   int longest_list(std::size_t range) const { return longest_lists_[range]; }
   /// Lets a pass read the entries (shaders/airlight/airlight_entry.glsl).
   void bind_entries(PassTextures& textures) const;
-  /// Also lets a pass read the tiles of a range (shaders/airlight/airlight_tiles.frag).
+  /// Also lets a pass read the tiles of a range (shaders/airlight/airlight_lights.frag).
   void bind_tiles(const gl::Program& program, PassTextures& textures, std::size_t range) const;
 
  private:

@@ -25,11 +25,12 @@ constexpr GLint kMarked = AirlightTarget::kMarked;
 
 }  // namespace
 
-AirlightPyramid::AirlightPyramid(const gl::FogLightBuffer& fog_lights, const RenderSettings& settings)
+AirlightPyramid::AirlightPyramid(const gl::FogLightBuffer& fog_lights, const SamplerStates& states,
+                                 const RenderSettings& settings)
     : fog_lights_(fog_lights),
+      sampler_states_(states),
       shaft_steps_(settings.shaft_steps),
-      tile_programs_("airlight/airlight_blocks.vert", "airlight/airlight_tiles.frag"),
-      left_out_programs_("airlight/airlight_left_out.vert", "airlight/airlight_left_out.frag"),
+      light_programs_("airlight/airlight_lights.vert", "airlight/airlight_lights.frag"),
       fill_program_("whole_picture.vert", "airlight/airlight_fill.frag", render_shaders()),
       unpack_program_("whole_picture.vert", "airlight/airlight_unpack.frag", render_shaders()) {}
 
@@ -39,7 +40,7 @@ void AirlightPyramid::set_size(glm::ivec2 picture_size) {
   for (const int step : kGridSteps) {
     Grid& grid = grids_.emplace_back();
     grid.step = step;
-    grid.set_size((picture_size + (step - 1)) / step + (step > 1 ? 1 : 0), step > 1);
+    grid.set_size((picture_size + (step - 1)) / step + (step > 1 ? 1 : 0));
   }
   packed_.set_size(grids_.back().size);
 }
@@ -114,10 +115,10 @@ void AirlightPyramid::draw_left_out(const Frame& frame, const Grid& grid) {
   const glm::vec2 offset = scale - 1.0f + (1.0f - 1.0f / float(grid.step)) / glm::vec2(grid.size);
   for (const auto& [kind, first, count] : frame.inputs.lights.ranges()) {
     if (grid.step >= coarsest_step(kind, frame)) continue;
-    const gl::Program& program = left_out_programs_.program(frame.inputs.atmosphere, kind);
-    PassTextures textures = use(program, frame, grid);
-    frame.inputs.higher_orders.bind(textures);
-    frame.inputs.lights.bind_entries(textures);
+    const gl::Program& program = light_programs_.program(frame.inputs.atmosphere, kind);
+    use_for_lights(program, frame, grid);
+    set_uniform(program, "is_left_out", true);
+    set_uniform(program, "is_packed", false);
     set_uniform(program, "clip_from_world", frame.inputs.view.clip_from_world);
     set_uniform(program, "target_from_picture", glm::vec4(scale, offset));
     set_uniform(program, "first_entry", int(first));
@@ -140,12 +141,10 @@ void AirlightPyramid::draw_whole(const Frame& frame, const Grid& grid) {
 void AirlightPyramid::draw_lights(const Frame& frame, const Grid& grid, std::size_t range, const AirlightBlocks& blocks,
                                   bool adds) {
   const AirlightLights& lights = frame.inputs.lights;
-  const gl::Program& program = tile_programs_.program(frame.inputs.atmosphere, lights.ranges()[range].kind);
-  PassTextures textures = use(program, frame, grid);
-  packed_.bind_positions(textures);
-  frame.inputs.higher_orders.bind(textures);
-  lights.bind_entries(textures);
+  const gl::Program& program = light_programs_.program(frame.inputs.atmosphere, lights.ranges()[range].kind);
+  PassTextures textures = use_for_lights(program, frame, grid);
   lights.bind_tiles(program, textures, range);
+  set_uniform(program, "is_left_out", false);
   blocks.set(program);
   glStencilFunc(GL_EQUAL, kMarked, 0xff);
   if (adds) glEnable(GL_BLEND);
@@ -187,6 +186,16 @@ PassTextures AirlightPyramid::use(const gl::Program& program, const Frame& frame
   set_uniform(program, "pixel_step", grid.step);
   PassTextures textures(program);
   frame.inputs.seen.bind(textures);
+  return textures;
+}
+
+/// Sets what a program of light_programs_ reads as well.
+PassTextures AirlightPyramid::use_for_lights(const gl::Program& program, const Frame& frame, const Grid& grid) {
+  sampler_states_.set();
+  PassTextures textures = use(program, frame, grid);
+  packed_.bind_positions(textures);
+  frame.inputs.higher_orders.bind(textures);
+  frame.inputs.lights.bind_entries(textures);
   return textures;
 }
 

@@ -12,6 +12,7 @@
 #include "render/airlight/airlight_programs.h"
 #include "render/airlight/packed_texels.h"
 #include "render/airlight/seen_ranges.h"
+#include "render/gpu/sampler_states.h"
 #include "render/gpu/texel_target.h"
 #include "render/interruption.h"
 #include "render/plan/view.h"
@@ -39,9 +40,9 @@ class AirlightPyramid {
     double exposure;  ///< EV at which the picture is shown: interpolation may err by an eighth of a step there
   };
 
-  /// fog_lights  has to outlive this
-  /// settings    of which the steps of shafts matter
-  AirlightPyramid(const gl::FogLightBuffer& fog_lights, const RenderSettings& settings);
+  /// fog_lights, states  have to outlive this
+  /// settings            of which the steps of shafts matter
+  AirlightPyramid(const gl::FogLightBuffer& fog_lights, const SamplerStates& states, const RenderSettings& settings);
 
   /// Sets the size of the pictures.
   ///
@@ -64,6 +65,7 @@ class AirlightPyramid {
   };
 
   PassTextures use(const gl::Program& program, const Frame& frame, const Grid& grid);
+  PassTextures use_for_lights(const gl::Program& program, const Frame& frame, const Grid& grid);
   void fill(const Frame& frame, const Grid& grid, const Grid& coarse);
   void draw_left_out(const Frame& frame, const Grid& grid);
   void draw_packed(const Frame& frame, const Grid& grid);
@@ -72,10 +74,10 @@ class AirlightPyramid {
   static int coarsest_step(const AirlightKind& kind, const Frame& frame);
 
   const gl::FogLightBuffer& fog_lights_;
+  const SamplerStates& sampler_states_;
   int shaft_steps_;
   glm::ivec2 picture_size_{0};
-  AirlightPrograms tile_programs_;
-  AirlightPrograms left_out_programs_;
+  AirlightPrograms light_programs_;
   gl::Program fill_program_;
   gl::Program unpack_program_;
   TexelPass pass_;

@@ -20,13 +20,13 @@ void attach_stencil(const AirlightTarget& target) {
 
 }  // namespace
 
-void AirlightTarget::set_size(glm::ivec2 new_size, bool has_gain) {
+void AirlightTarget::set_size(glm::ivec2 new_size) {
   size = new_size;
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
   attach_texels(GL_COLOR_ATTACHMENT0, airlight, size, GL_RGBA32F);
-  if (has_gain) attach_texels(GL_COLOR_ATTACHMENT1, gain, size, GL_RGBA32F);
+  attach_texels(GL_COLOR_ATTACHMENT1, gain, size, GL_RGBA32F);
   const GLenum targets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
-  glDrawBuffers(has_gain ? 2 : 1, targets);
+  glDrawBuffers(2, targets);
   glBindRenderbuffer(GL_RENDERBUFFER, stencil.id());
   glRenderbufferStorage(GL_RENDERBUFFER, GL_STENCIL_INDEX8, size.x, size.y);
   attach_stencil(*this);
@@ -53,7 +53,7 @@ PackedTexels::PackedTexels()
 
 void PackedTexels::set_size(glm::ivec2 finest) {
   const glm::ivec2 most_blocks = blocks_over(finest);
-  packed_.set_size(most_blocks * kBlock, true);
+  packed_.set_size(most_blocks * kBlock);
   glBindFramebuffer(GL_FRAMEBUFFER, marks_framebuffer_.id());
   attach_texels(GL_COLOR_ATTACHMENT0, marks_, most_blocks * glm::ivec2(2, 1), GL_RGBA32UI);
   check_float_framebuffer();

@@ -25,10 +25,10 @@ struct AirlightTarget {
   /// Creates textures and stencil of a size.
   ///
   /// throws  gl::Unsupported where the driver cannot draw into textures of floats of that size
-  void set_size(glm::ivec2 new_size, bool has_gain);
+  void set_size(glm::ivec2 new_size);
 };
 
-/// Blocks of texels that are drawn as points (shaders/airlight/airlight_blocks.vert).
+/// Blocks of texels that are drawn as points (shaders/airlight/block_point.glsl).
 struct AirlightBlocks {
   glm::ivec2 count;
   glm::ivec2 stride;  ///< from one block to the next, in blocks
@@ -38,7 +38,7 @@ struct AirlightBlocks {
   /// All texels of a target, each standing for itself.
   static AirlightBlocks all_of(const AirlightTarget& target);
 
-  /// Sets the uniforms of airlight_blocks.vert, and the viewport.
+  /// Sets the uniforms of block_point.glsl, and the viewport.
   void set(const gl::Program& program) const;
 };
 
@@ -56,7 +56,7 @@ class PackedTexels {
   /// attributes bound and the stencil test enabled.
   AirlightBlocks pack(const AirlightTarget& grid);
   const AirlightTarget& target() const { return packed_; }
-  /// Lets a pass over packed blocks read where the texels lie in their grid (shaders/airlight/airlight_tiles.frag).
+  /// Lets a pass over packed blocks read where the texels lie in their grid (shaders/airlight/airlight_lights.frag).
   void bind_positions(PassTextures& textures) const;
   void bind_marks(PassTextures& textures) const { textures.bind("block_marks", marks_, GL_TEXTURE_RECTANGLE); }
   /// Lets the pass of airlight_unpack.frag read target().

@@ -18,8 +18,7 @@ SamplerStates::SamplerStates()
   glUniform1iv(program_.uniform("maps"), kSamplers, units.data());
 }
 
-void SamplerStates::set(const Framebuffer& framebuffer) const {
-  framebuffer.bind();
+void SamplerStates::set() const {
   program_.use();
   texture_.bind(kUploadUnit);
   glBindVertexArray(no_vertices_.id());

@@ -3,7 +3,6 @@
 
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/program.h"
-#include "render/gpu/framebuffer.h"
 #include "render/gpu/texture.h"
 
 namespace litfog::render {
@@ -16,8 +15,9 @@ class SamplerStates {
  public:
   SamplerStates();
 
-  /// Sets all states by an empty draw into a framebuffer. Depth test and stencil test must be off. Changes bindings.
-  void set(const Framebuffer& framebuffer) const;
+  /// Sets all states by a draw that changes nothing in the bound framebuffer. Needs a depth test and a stencil test that
+  /// write nothing. Changes bindings.
+  void set() const;
 
  private:
   gl::Program program_;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Sums the airlight of the lights of one kind in the pixel's tile.
+// Sums the airlight of the lights of one kind in the pixel's tile or, where is_left_out, adds the part of one light's
+// that the coarser grid leaves out. One program for both, because drivers take long to compile it.
 
 #include "generated/airlight_constants.glsl"
 #include "airlight/airlight_light.glsl"
@@ -11,8 +12,9 @@ uniform isamplerBuffer tile_lists;  // render::AirlightTiles
 uniform ivec2 tile_count;
 uniform vec2 tile_size;  // pixels
 uniform int first_tile;  // index in tile_lists of the kind's first tile
-uniform int first_entry;  // of each tile's list that is drawn, and how many there are from it on
-uniform int entry_count;
+uniform int entry_count;  // of each tile's list that are drawn
+
+flat in int left_out_entry;
 
 // Where a tile's entries begin and end in tile_lists.
 ivec2 tile_list(ivec2 pixel) {
@@ -28,18 +30,22 @@ void main() {
   vec3 direction = pixel_direction(pixel);
   vec4 seen = seen_at(pixel);
   float shown_exposure = shown_exposure_at(direction, seen);
-  ivec2 list = tile_list(pixel);
-  list.x += first_entry;
-  list.y = min(list.y, list.x + entry_count);
+  ivec2 list = ivec2(left_out_entry, left_out_entry + 1);
+  if (!is_left_out) {
+    list = tile_list(pixel);
+    list.x += first_entry;
+    list.y = min(list.y, list.x + entry_count);
+  }
   airlight = vec4(0.0);
   gain = vec4(0.0);
   int i = list.x;
   do {  // tested at its end, as the loops of airlight.glsl
-    vec4 entry = texelFetch(airlight_entries, texelFetch(tile_lists, i).x);
+    vec4 entry = texelFetch(airlight_entries, is_left_out ? i : texelFetch(tile_lists, i).x);
     vec3 position = litfog_buffered_position_extent(int(entry.x)).xyz;
     float square = squared_passing_distance(position, direction);
     bool is_reached = i < list.y && square < entry.y * entry.y;
     float fraction = is_reached ? kept_fraction(entry, square, pixel_step) : 0.0;
+    if (is_left_out) fraction -= kept_fraction(entry, square, 2 * pixel_step);
     if (fraction > 0.0) add_light(int(entry.x), fraction, direction, seen, shown_exposure);
     ++i;
   } while (i < list.y);

@@ -1,19 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
-// Draws for each light (an instance) a quad over the texels for which the coarser grid leaves out part of its airlight.
+// Draws points over blocks or, where is_left_out, for each light (an instance) a quad over the texels for which the
+// coarser grid leaves out part of its airlight.
 
 #include "generated/airlight_constants.glsl"
 #include "airlight/airlight_entry.glsl"
+#include "airlight/block_point.glsl"
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
 // Scale and offset in clip space: the target's texels may be farther apart than pixels.
 uniform vec4 target_from_picture;
-uniform int first_entry;
 
-flat out vec4 entry;
+flat out int left_out_entry;  // of the light, in airlight_entries
 
-void main() {
-  entry = texelFetch(airlight_entries, first_entry + gl_InstanceID);
+void draw_light() {
+  vec4 entry = texelFetch(airlight_entries, left_out_entry);
   float radius = min(entry.y, left_out_range(entry.z, entry.w, 2 * pixel_step));
   if (radius <= 0.0) {
     gl_Position = vec4(0.0, 0.0, 2.0, 1.0);  // outside the picture
@@ -36,4 +37,10 @@ void main() {
   gl_Position = clip_from_world * vec4(eye + place * max(range, 0.5), 1.0);
   gl_Position.xy = gl_Position.xy * target_from_picture.xy + gl_Position.w * target_from_picture.zw;
   gl_Position.z = 0.0;
+}
+
+void main() {
+  left_out_entry = first_entry + gl_InstanceID;
+  if (is_left_out) draw_light();
+  else draw_block();
 }
