@@ -25,9 +25,9 @@ void clear_line() {
 }  // namespace
 
 Progress::Progress() {
-  if (isatty(STDERR_FILENO) == 0) return;
   try {
-    thread_ = std::jthread([this](const std::stop_token& stop) { keep_shown(stop); });
+    thread_ = std::jthread(
+        [this](const std::stop_token& stop) { isatty(STDERR_FILENO) != 0 ? keep_shown(stop) : keep_log(stop); });
   } catch (const std::system_error&) {  // no more threads: work goes on without a line
   }
 }
@@ -60,9 +60,20 @@ void Progress::keep_shown(const std::stop_token& stop) {
   while (!stopped_.wait_for(lock, stop, pause, [&stop] { return stop.stop_requested(); })) {
     pause = std::chrono::milliseconds(200);
     if (text_.empty()) continue;
-    fmt::print(stderr, "\r\x1B[K{} ({:.0f} s)", printable(text_), timer_.seconds());
+    std::fputs(("\r\x1B[K" + line()).c_str(), stderr);
     is_shown = true;
   }
 }
+
+void Progress::keep_log(const std::stop_token& stop) {
+  std::unique_lock lock(mutex);
+  std::chrono::seconds pause(5);
+  while (!stopped_.wait_for(lock, stop, pause, [&stop] { return stop.stop_requested(); })) {
+    pause *= 2;
+    if (!text_.empty()) std::fputs((line() + "\n").c_str(), stderr);
+  }
+}
+
+std::string Progress::line() const { return fmt::format("{} ({:.0f} s)", printable(text_), timer_.seconds()); }
 
 }  // namespace litfog::command

@@ -10,8 +10,9 @@
 
 namespace litfog::command {
 
-/// Progress on standard error of what takes more than two seconds, if that is a terminal: a line that says what is done
-/// and for how long the whole has taken. A program has one at a time.
+/// Progress on standard error: what is done, and for how long the whole has taken. A terminal has a line of it after
+/// two seconds; a file or a pipe has one after 5 seconds and then after ever longer pauses, each twice the last. A
+/// program has one at a time.
 class Progress {
  public:
   Progress();
@@ -29,12 +30,14 @@ class Progress {
   static void clear();
 
  private:
-  void keep_shown(const std::stop_token& stop);
+  void keep_shown(const std::stop_token& stop);  // on a terminal
+  void keep_log(const std::stop_token& stop);    // elsewhere
+  std::string line() const;
 
   std::string text_;
   WallTimer timer_;
   std::condition_variable_any stopped_;
-  std::jthread thread_;  // none where nobody watches
+  std::jthread thread_;
 };
 
 }  // namespace litfog::command

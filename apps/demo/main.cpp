@@ -166,10 +166,10 @@ ExitStatus draw_picture(const CLI::App& app, const PictureOptions& options) {
                             : is_cut_off(picture) ? "in 32-bit floats: light exceeds half floats' 65504"
                                                   : "";
   using measure::milliseconds_text;
-  report(fmt::format("{}: {} ({}x{}{}): loaded in {} ms, shaders compiled in {} ms, drawn in {} ms on {}\n", output,
-                     scene.name, drawing.width, drawing.height, words.empty() ? "" : ", " + words,
-                     milliseconds_text(drawn.load_ms), milliseconds_text(drawn.compile_ms),
-                     milliseconds_text(drawn.times.median()), drawn.gl_renderer));
+  report(fmt::format(
+      "{}: {} ({}x{}{}): loaded in {} ms, first drawn, with shaders compiled, in {} ms, then in {} ms on {}\n", output,
+      scene.name, drawing.width, drawing.height, words.empty() ? "" : ", " + words, milliseconds_text(drawn.load_ms),
+      milliseconds_text(drawn.first_ms), milliseconds_text(drawn.times.median()), drawn.gl_renderer));
   if (drawn.comparison) {
     report(fmt::format("{}: {}\n", drawing.render.path->name, measure::error_in_words(drawn.comparison->error)));
   }

@@ -3,7 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -57,7 +56,7 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, const comma
       .times =
           measure::time_frames({measure::frames_of(renderer)}, measure::FrameBudget::exactly(frames), show).front(),
       .load_ms = load_ms,
-      .compile_ms = timer.milliseconds(),
+      .first_ms = timer.milliseconds(),
       .shadow_lamps = renderer.shadows() ? renderer.shadows()->casters().size() : 0,
       .shadow_maps = renderer.shadows() ? renderer.shadows()->map_count() : 0,
       .statistics = {},
@@ -65,11 +64,7 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, const comma
       .samples = renderer.samples(),
       .gl_renderer = context.renderer(),
       .gl_version = context.version()};
-  // Frames drawn untimed: the first, and for an automatic exposure one, above 0 EV two.
-  const render::Exposure& exposure = drawn.display.exposure;
-  const double untimed = 1 + (exposure.is_auto ? 1 : 0) + (exposure.is_auto && exposure.ev > 0 ? 1 : 0);
-  drawn.compile_ms -= std::reduce(drawn.times.milliseconds.begin(), drawn.times.milliseconds.end());
-  drawn.compile_ms = std::max(drawn.compile_ms - untimed * drawn.times.median(), 0.0);
+  drawn.first_ms -= std::reduce(drawn.times.milliseconds.begin(), drawn.times.milliseconds.end());
   if (has_statistics) drawn.statistics = renderer.draw_and_measure();
   if (has_reference) drawn.comparison = measure::compare_with_reference(renderer, show);
   if (in_floats) {
@@ -97,7 +92,7 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
       {"samples", drawn.samples},
       {"lights", scene.lights.size()},
       {"ms_to_load", drawn.load_ms},
-      {"ms_to_compile", drawn.compile_ms},
+      {"ms_to_first_frame", drawn.first_ms},
       {"frames", times.milliseconds.size()},
       {"ms_per_frame",
        {{"median", times.median()},

@@ -21,7 +21,7 @@ struct Drawn {
   double visibility;  ///< metres
   measure::FrameTimes times;
   double load_ms;            ///< milliseconds until all is uploaded and lights are solved
-  double compile_ms;         ///< from then on until the frames timed, less what the frames drawn meanwhile took
+  double first_ms;           ///< from then on until the first frame timed: shaders, exposure and a frame before it
   std::size_t shadow_lamps;  ///< that cast shadows
   std::size_t shadow_maps;   ///< theirs and the moon's
   render::FrameStatistics statistics;             ///< one more frame's, if asked for
@@ -60,8 +60,8 @@ Drawn draw(const scene::Scene& scene, const DrawingOptions& options, const comma
            command::Progress& progress, int frames, bool has_reference, bool has_statistics, bool in_floats = false);
 
 /// The file of --stats: what was drawn and how (`scene` to `lights`, `skip` to `shadow_maps`), the times of loading it,
-/// of compiling its shaders and of `frames` frames (`ms_to_load`, `ms_to_compile`, `ms_per_frame`), and of one frame
-/// more, drawn stage by stage as if the view had just changed:
+/// of a first frame, for which shaders are compiled, and of `frames` frames after it (`ms_to_load`,
+/// `ms_to_first_frame`, `ms_per_frame`), and of one frame more, drawn stage by stage as if the view had just changed:
 ///
 /// chunks                surfaces: drawn; fog_alone (hidden by fog, but before something that is visible);
 ///                       outside_view; hidden_by_fog. chunks_drawn is the sum of the first two, chunks_skipped of the

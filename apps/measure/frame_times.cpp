@@ -40,7 +40,9 @@ std::vector<FrameTimes> time_frames(const std::vector<DrawFrame>& renderers, con
     if (timed == 0) first_timed = Clock::now();
     for (std::size_t i = 0; i < renderers.size(); ++i) {
       if (progress) {
-        std::string step = timed < 0 ? std::string(kCompiling) : fmt::format("timing frames {}", timed + 1);
+        std::string step = timed < 0          ? std::string(kCompiling)
+                           : budget.most == 1 ? "drawing"
+                                              : fmt::format("timing frame {}", timed + 1);
         if (renderers.size() > 1) step += fmt::format(", {} of {}", i + 1, renderers.size());
         progress(step);
       }

@@ -67,6 +67,17 @@ TEST(Progress, LineIsShownAfterTwoSecondsWhileTheCallerWaits) {
   EXPECT_TRUE(terminal.text().ends_with("\r\x1B[K"));
 }
 
+TEST(Progress, FileHasALineAfterFiveSeconds) {
+  testing::internal::CaptureStderr();
+  {
+    Progress progress;
+    progress.show("compiling");
+    std::this_thread::sleep_for(std::chrono::milliseconds(5500));
+    progress.show("drawing");
+  }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "compiling (5 s)\n");
+}
+
 TEST(Progress, NothingIsShownWhereNoThreadCanStart) {
   const Terminal terminal;
   const test::NoMoreThreads limit;

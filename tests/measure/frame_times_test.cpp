@@ -2,6 +2,9 @@
 #include "measure/frame_times.h"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "gl/gl_test.h"
 #include "scene/file/scene_file.h"
@@ -53,6 +56,9 @@ TEST_F(FrameTimesTest, BudgetOfNoTimeTakesTheFewestFramesAndAnEndlessOneTheMost)
   };
   EXPECT_EQ(frames({.seconds = 0, .fewest = 2, .most = 9}), 2u);
   EXPECT_EQ(frames({.seconds = 1e9, .fewest = 2, .most = 5}), 5u);
+  std::vector<std::string> steps;
+  time_frames({frames_of(renderer)}, FrameBudget::exactly(1), [&](std::string_view step) { steps.emplace_back(step); });
+  EXPECT_EQ(steps, (std::vector<std::string>{"compiling shaders", "drawing"}));
 }
 
 }  // namespace
