@@ -90,9 +90,12 @@ PyObject* enumerator_of(PyTypeObject* type, PyObject* arguments, PyObject* keywo
                   : is_number && number.equal(py::int_(py::reinterpret_borrow<py::object>(given)))) {
         return member.release().ptr();
       }
-      known += (known.empty() ? "" : ", ") + str_of(number) + " (" + name.cast<std::string>() + ")";
+      known += known.empty() ? "" : is_name ? " or " : ", ";
+      const auto word = name.cast<std::string>();
+      known += is_name ? '"' + word + '"' : str_of(number) + " (" + word + ")";
     }
-    PyErr_Format(PyExc_ValueError, "%s = %R: must be one of %s", type->tp_name, value, known.c_str());
+    PyErr_Format(PyExc_ValueError, is_name ? "%s = %R: must be %s" : "%s = %R: must be one of %s", type->tp_name, value,
+                 known.c_str());
   } catch (py::error_already_set& error) {
     error.restore();
   }
@@ -373,9 +376,10 @@ py::object airlights_of(PlacedLight light, Atmosphere atmosphere, const py::obje
   return along_rays(rays, out, [&](auto from, auto to) { airlight(light, atmosphere, from, lamp_leg, to); });
 }
 
-py::object directional_airlights_of(Atmosphere atmosphere, const glm::dvec3& to_light, const py::object& rays,
+py::object directional_airlights_of(Atmosphere atmosphere, const Given<glm::dvec3>& to_light, const py::object& rays,
                                     const py::object& out) {
-  return along_rays(rays, out, [&](auto from, auto to) { directional_airlight(atmosphere, to_light, from, to); });
+  const glm::dvec3 direction = to_light.value("to_light");
+  return along_rays(rays, out, [&](auto from, auto to) { directional_airlight(atmosphere, direction, from, to); });
 }
 
 py::array_t<float> scattering_table_of(const Atmosphere& atmosphere) {
@@ -539,14 +543,21 @@ void bind_lights(py::module_& m) {
 
   bind_record<Fog>(m, "Fog", "Homogeneous fog. density: 1/m, >= 0; 0 is clear air, infinity total fog.",
                    field("mode", &Fog::mode, "FogMode"), field("density", &Fog::density, "1/m, >= 0"))
-      .def_static("from_visibility", &Fog::from_visibility, py::arg("mode"), py::arg("metres"),
-                  py::arg("contrast") = kContrastMor,
-                  "The fog of a visibility: metres >= 0, infinity is no fog; contrast in (0, 1) is what is left of a\n"
-                  "dark object's contrast at that range. ValueError with field, value and rule.")
+      .def_static(
+          "from_visibility",
+          [](FogMode mode, const Given<double>& metres, const Given<double>& contrast) {
+            return Fog::from_visibility(mode, metres.value("metres"), contrast.value("contrast"));
+          },
+          py::arg("mode"), py::arg("metres"), py::arg("contrast") = kContrastMor,
+          "The fog of a visibility: metres >= 0, infinity is no fog; contrast in (0, 1) is what is left of a\n"
+          "dark object's contrast at that range. ValueError with field, value and rule.")
       .def_static(
           "from_runway_visual_range",
-          [](FogMode mode, double metres, double candela, double illuminance_threshold) {
-            return fog_from_runway_visual_range(mode, metres, {candela, illuminance_threshold});
+          [](FogMode mode, const Given<double>& metres, const Given<double>& candela,
+             const Given<double>& illuminance_threshold) {
+            return fog_from_runway_visual_range(
+                mode, metres.value("metres"),
+                {candela.value("candela"), illuminance_threshold.value("illuminance_threshold")});
           },
           py::arg("mode"), py::arg("metres"), py::arg("candela") = RunwayLights{}.candela,
           py::arg("illuminance_threshold") = RunwayLights{}.illuminance_threshold,
@@ -909,8 +920,9 @@ void bind_airlight(py::module_& m) {
         "GIL. ValueError with field, value and rule, before any result is written.");
   m.def(
       "directional_fog_factor",
-      [](const Atmosphere& atmosphere, const glm::dvec3& to_light, const py::object& height) {
-        return py::vectorize([&](double each) { return directional_fog_factor(atmosphere, to_light, each); })(
+      [](const Atmosphere& atmosphere, const Given<glm::dvec3>& to_light, const py::object& height) {
+        const glm::dvec3 direction = to_light.value("to_light");
+        return py::vectorize([&](double each) { return directional_fog_factor(atmosphere, direction, each); })(
             take_numbers(height, "height"));
       },
       py::arg("atmosphere"), py::arg("to_light"), py::arg("height"),
@@ -937,7 +949,8 @@ void bind_airlight(py::module_& m) {
         "What the scattered light of all lamps is made of: an array of dtype THIN_BEAM by optical depth. table:\n"
         "make_scattering_table(atmosphere).");
   py::class_<ScatteringSource>(m, "ScatteringSource", "A light as the fog around it scatters it.")
-      .def_readonly("intensity", &ScatteringSource::intensity, "m^2, as effective_intensity, of the densest layer; 0 in clear or total fog")
+      .def_readonly("intensity", &ScatteringSource::intensity,
+                    "m^2, as effective_intensity, of the densest layer; 0 in clear or total fog")
       .def_readonly("phase_cosine", &ScatteringSource::phase_cosine, "mean cosine of the phase function")
       .def_readonly("is_cone", &ScatteringSource::is_cone, "else a point lamp")
       .def_property_readonly(
@@ -1033,7 +1046,8 @@ void bind_updater(py::module_& m) {
           },
           "The table of instances where it lies: a read-only array of dtype FOG_LIGHT_INSTANCE, which set_fog changes.")
       .def("solve_effective_intensities", &Updater::solve_effective_intensities,
-           "Lets set_fog solve the effective intensity of each kind, too, for all orders of scattering in fog without layers.")
+           "Lets set_fog solve the effective intensity of each kind, too, for all orders of scattering in fog without "
+           "layers.")
       .def_property_readonly(
           "effective_intensities",
           [](const std::shared_ptr<Updater>& updater) {

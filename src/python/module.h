@@ -12,7 +12,23 @@
 #include <type_traits>
 #include <vector>
 
+#include "litfog/light.h"
 #include "python/numbers.h"
+
+/// A number that is not masked.
+template <>
+struct pybind11::detail::type_caster<double> {
+  PYBIND11_TYPE_CASTER(double, const_name("float"));
+
+  bool load(handle source, bool convert) {
+    litfog::python::expect_plain_values(source, "number");
+    make_caster<long double> number;
+    if (!number.load(source, convert)) return false;
+    value = double(cast_op<long double>(number));
+    return true;
+  }
+  static handle cast(double number, return_value_policy, handle) { return PyFloat_FromDouble(number); }
+};
 
 /// A vector is a tuple of three floats; any sequence of three numbers is taken for one.
 template <>
@@ -47,9 +63,51 @@ struct pybind11::detail::type_caster<Enumeration, pybind11::detail::enable_if_t<
   }
 };
 
+/// A light is taken by the name of a bundled one, too, or the path of its file, as read_light takes them.
+template <>
+struct pybind11::detail::type_caster<litfog::Light> : type_caster_base<litfog::Light> {
+  bool load(handle source, bool convert) {
+    if (!isinstance<str>(source)) return type_caster_base::load(source, convert);
+    const object read = module_::import("litfog").attr("read_light")(source);
+    loader_life_support::add_patient(read);
+    return type_caster_base::load(read, convert);
+  }
+};
+
 namespace litfog::python {
 
 namespace py = pybind11;
+
+/// An argument or a field as it is given, so that errors can name it.
+template <typename T>
+struct Given {
+  py::object object;
+
+  T value(const std::string& name) const {
+    using Caster = py::detail::make_caster<T>;
+    expect_plain_values(object, name);
+    Caster caster;
+    if (!object.is_none() && caster.load(object, true)) return py::detail::cast_op<T>(caster);
+    std::string type = Caster::name.text;
+    if constexpr (std::is_base_of_v<py::detail::type_caster_generic, Caster>) {
+      type = str_of(py::type::of<T>().attr("__name__"));
+    }
+    throw py::type_error(name + ": must be " + type + ", is " + str_of(py::type::of(object).attr("__name__")));
+  }
+};
+
+}  // namespace litfog::python
+
+template <typename T>
+struct pybind11::detail::type_caster<litfog::python::Given<T>> {
+  PYBIND11_TYPE_CASTER(litfog::python::Given<T>, make_caster<T>::name);
+  bool load(handle source, bool) {
+    value.object = reinterpret_borrow<object>(source);
+    return true;
+  }
+};
+
+namespace litfog::python {
 
 /// Gives a class of plain fields equality, a repr() that reads back, and pickling. Its constructor takes the fields in
 /// this order.
@@ -62,6 +120,12 @@ struct Field {
   const char* name;
   T Struct::*member;
   const char* meaning;
+  auto getter() const {
+    return [member = member](const Struct& of) -> const T& { return of.*member; };
+  }
+  auto setter() const {
+    return [*this](Struct& of, const Given<T>& given) { of.*member = given.value(name); };
+  }
   auto argument() const {
     if constexpr (kIsRequired) {
       return py::arg(name);
@@ -79,13 +143,13 @@ Field<kIsRequired, Struct, T> field(const char* name, T Struct::*member, const c
 template <typename Struct, typename... Fields>
 py::class_<Struct> bind_record(py::module_& m, const char* name, const char* meaning, const Fields&... fields) {
   py::class_<Struct> type(m, name, meaning);
-  const auto make = [fields...](const typename Fields::Value&... values) {
+  const auto make = [fields...](const Given<typename Fields::Value>&... values) {
     Struct made{};
-    ((made.*fields.member = values), ...);
+    ((made.*fields.member = values.value(fields.name)), ...);
     return made;
   };
   type.def(py::init(make), fields.argument()...);
-  (type.def_readwrite(fields.name, fields.member, fields.meaning), ...);
+  (type.def_property(fields.name, fields.getter(), fields.setter(), fields.meaning), ...);
   make_record(type, {fields.name...});
   return type;
 }

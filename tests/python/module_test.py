@@ -165,7 +165,7 @@ class SolveTest(unittest.TestCase):
         self.assertEqual(litfog.density_from_visibility("exp", 400), litfog.Fog.from_visibility("exp", 400).density)
         self.assertEqual(litfog.fit_attenuation(extent=10, family="linear").attenuation.quadratic, 0)
         for call in (lambda: litfog.Fog("ex"), lambda: setattr(fog, "mode", "ex"), lambda: litfog.FogMode("ex")):
-            with self.assertRaisesRegex(ValueError, r"^litfog.FogMode = 'ex': must be one of 0 \(exp\), 1 \(exp2\)$"):
+            with self.assertRaisesRegex(ValueError, r"^litfog.FogMode = 'ex': must be \"exp\" or \"exp2\"$"):
                 call()
 
     def test_bundled_lights_are_read_by_their_names(self):
@@ -262,6 +262,7 @@ class SolveTest(unittest.TestCase):
                          np.array([0.25, 0.5], np.float16)):  # fmt: skip
                 np.testing.assert_array_equal(function(both), single)
             self.assertEqual(float(function(np.float64(0.25))), single[0])
+            self.assertEqual(np.shape(function([0.25])), (1,))
         ray = ((0, 0, 0), [0, 0, -1], 5)
         placed = litfog.PlacedLight(litfog.Light(), [0, 3, -9])
         rays = np.array([ray, ray], litfog.EYE_RAY)
@@ -273,6 +274,47 @@ class SolveTest(unittest.TestCase):
         for wrong in (5, [ray, 5], ray[:2], ((0, 0), (0, 0, -1), 5)):
             with self.assertRaisesRegex(TypeError, "^rays: must be an array of EYE_RAY, or tuples of an origin"):
                 litfog.airlight(placed, litfog.Atmosphere(fog), wrong)
+
+    def test_bundled_lights_are_taken_by_their_names_wherever_lights_are(self):
+        lamp, fog = litfog.read_light("landing-lamp"), litfog.Fog("exp", 0.01)
+        placed = litfog.PlacedLight("landing-lamp", (0, 1, 0))
+        self.assertEqual(placed, litfog.PlacedLight(lamp, (0, 1, 0)))
+        placed.light = "headlight"
+        self.assertEqual(placed.light, litfog.read_light("headlight"))
+        for function in (litfog.solve_fog_intensity, litfog.axial_airlight, lambda of, fog: litfog.light_reach(of, fog, 0.01),
+                         lambda of, fog: litfog.candela(of), lambda of, fog: litfog.photometric(of)):  # fmt: skip
+            self.assertEqual(function("landing-lamp", fog), function(lamp, fog))
+        with self.assertRaisesRegex(litfog.InputError, "^landing-lmap: must be a file or a bundled light; did you mean"):
+            litfog.PlacedLight("landing-lmap")
+
+    def test_wrong_arguments_are_answered_in_one_sentence(self):
+        masked = np.ma.masked
+        for call, error, message in (
+            (lambda: litfog.Fog(density=masked), ValueError, "density: must hold no masked values"),
+            (lambda: litfog.Fog.from_visibility("exp", masked), ValueError, "metres: must hold no masked values"),
+            (lambda: litfog.Cone.cosine(masked, 2), ValueError, "number: must hold no masked values"),
+            (lambda: litfog.PlacedLight(litfog.Light(), (0, masked, 0)), ValueError, "position: must hold no masked values"),
+            (lambda: litfog.Fog.from_visibility("exp3", 400), ValueError, "litfog.FogMode = 'exp3': must be \"exp\" or \"exp2\"$"),
+            (lambda: litfog.Fog.from_visibility("exp", [400, 500]), TypeError, "metres: must be float, is list$"),
+            (lambda: litfog.Fog(density="a"), TypeError, "density: must be float, is str$"),
+            (lambda: litfog.Atmosphere(5), TypeError, "fog: must be Fog, is int$"),
+            (lambda: litfog.PlacedLight(None), TypeError, "light: must be Light, is NoneType$"),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(error, "^" + message):
+                call()
+        fog = litfog.Fog()
+        with self.assertRaisesRegex(TypeError, "^mode: must be FogMode, is float$"):
+            fog.mode = 0.5
+
+    def test_import_without_numpy_says_that_it_is_needed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            os.mkdir(os.path.join(folder, "numpy"))
+            with open(os.path.join(folder, "numpy", "__init__.py"), "w") as file:
+                file.write("raise ModuleNotFoundError('No module named numpy')")
+            path = os.pathsep.join([folder, os.path.dirname(os.path.dirname(litfog.__file__))])
+            run = subprocess.run([sys.executable, "-c", "import litfog"], env={**os.environ, "PYTHONPATH": path},
+                                 capture_output=True, text=True)  # fmt: skip
+        self.assertRegex(run.stderr.splitlines()[-1], "^ImportError: litfog needs NumPy")
 
     def test_values_that_mean_something_else_are_refused(self):
         def masked(values, dtype=np.float64):
@@ -307,7 +349,8 @@ class SolveTest(unittest.TestCase):
             "out.intensity": [
                 lambda x: litfog.solve_fog_intensities(rows, rows, rows, 0.1, out=litfog.BatchSolutions(intensity=x))
             ],
-            "vector": [lambda x: litfog.PlacedLight(litfog.Light(), position=x)],
+            "position": [lambda x: litfog.PlacedLight(litfog.Light(), position=x)],
+            "to_light": [lambda x: litfog.directional_fog_factor(litfog.Atmosphere(), x, 1)],
         }
         for name, functions in calls.items():
             for function in functions:
