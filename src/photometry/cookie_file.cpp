@@ -78,6 +78,18 @@ void write_header(exr_context_t exr, int size) {
   require_success(exr_write_header(exr));
 }
 
+using Compress = exr_result_t (*)(exr_encode_pipeline_t*);
+
+/// Readers take a chunk that has the size of its texels for the texels as they are. OpenEXR 3.1's own function, the
+/// pipeline's user data, leaves one compressed that is neither smaller nor larger.
+exr_result_t compress_or_keep(exr_encode_pipeline_t* pipeline) {
+  const exr_result_t result = (*static_cast<const Compress*>(pipeline->encoding_user_data))(pipeline);
+  if (result == EXR_ERR_SUCCESS && pipeline->compressed_bytes == pipeline->packed_bytes) {
+    std::memcpy(pipeline->compressed_buffer, pipeline->packed_buffer, pipeline->packed_bytes);
+  }
+  return result;
+}
+
 /// Writes a chunk of rows, and returns the row after it.
 int write_chunk(exr_context_t exr, int row, const Cookie& cookie) {
   exr_chunk_info_t chunk;
@@ -92,6 +104,9 @@ int write_chunk(exr_context_t exr, int row, const Cookie& cookie) {
     channel.user_line_stride = int(sizeof(float)) * cookie.size;
     result = exr_encoding_choose_default_routines(exr, kPart, &pipeline);
   }
+  Compress compress = pipeline.compress_fn;
+  pipeline.encoding_user_data = &compress;
+  pipeline.compress_fn = compress_or_keep;
   if (result == EXR_ERR_SUCCESS) result = exr_encoding_run(exr, kPart, &pipeline);
   exr_encoding_destroy(exr, &pipeline);
   require_success(result);
