@@ -4,9 +4,9 @@
 //
 //     many_lights_host PICTURE.ppm [SIZE [LAMPS [all]]]
 //
-// draws four frames below each other, SIZE pixels wide (a multiple of 4), without a window. With `all` it draws each
-// pixel by all lamps, for comparison: take at most 1,000, because Mesa's software rasteriser ends a pixel's loops after
-// 65,535 rounds. Ends with 1 where PICTURE cannot be written, with 3 where there is no OpenGL 3.3.
+// draws four frames below each other, SIZE pixels wide, without a window. With `all` it draws each pixel by all lamps,
+// for comparison: take at most 1,000, because Mesa's software rasteriser ends a pixel's loops after 65,535 rounds. Ends
+// with 1 on a wrong command line, with 3 where there is no OpenGL 3.3, with 4 where PICTURE cannot be written.
 #include <epoxy/gl.h>
 #include <litfog/gl/check_errors.h>
 #include <litfog/gl/far_airlight.h>
@@ -18,10 +18,11 @@
 #include <litfog/gl/unsupported.h>
 #include <litfog/updater.h>
 
-#include <cstdlib>
+#include <charconv>
 #include <fstream>
 #include <iostream>
 #include <random>
+#include <stdexcept>
 #include <string>
 
 constexpr litfog::gl::ShaderSource kShaders[] = {{"host.vert", R"(
@@ -37,12 +38,11 @@ void main() {  // the sky 1,000 m ahead, and over it the ground; the eye looks a
 #include "litfog/shaders/far_airlight.glsl"
 #include "litfog/shaders/light_clusters.glsl"
 const vec3 eye = vec3(0.0, 12.0, 0.0);
-uniform float size;
 in vec3 position;
 out vec4 color;
 void main() {
   vec4 ray = litfog_ray(eye, position);
-  vec2 place = gl_FragCoord.xy / size;
+  vec2 place = 0.5 - 0.5 * (position - eye).xy / position.z;  // in the picture, from 0 to 1
   LitfogLightList lights = litfog_lights_at(place, 1.0 / gl_FragCoord.w);
   float shown = position.y == 0.0 ? 0.5 - 0.5 * litfog_fog_opacity(eye.y, 0.0, ray.w, 1.0) : 0.0;
   color = vec4(litfog_far_airlight(place, eye, ray.xyz, ray.w), 1.0);
@@ -57,8 +57,16 @@ void main() {
 }
 )"}};
 
+int whole_number(const std::string& text, const std::string& name, int most) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  if (std::from_chars(text.data(), end, number).ptr == end && number >= 1 && number <= most) return number;
+  throw std::invalid_argument(name + " = " + text + ": must be a whole number in [1, " + std::to_string(most) + "]");
+}
+
 int main(int count, char** arguments) try {
-  const int size = count > 2 ? std::atoi(arguments[2]) : 180;
+  const int size = whole_number(count > 2 ? arguments[2] : "180", "SIZE", 4096);
+  const int lamp_count = whole_number(count > 3 ? arguments[3] : "5000", "LAMPS", 100'000);
   const litfog::gl::HeadlessContext context;
   const litfog::gl::RenderbufferName image;
   glBindRenderbuffer(GL_RENDERBUFFER, image.id());
@@ -69,23 +77,23 @@ int main(int count, char** arguments) try {
   const litfog::gl::VertexArrayName no_vertices;
   glBindVertexArray(no_vertices.id());
   glViewport(0, 0, size, size);
+  glPixelStorei(GL_PACK_ALIGNMENT, 1);  // rows of any size
 
   litfog::FogUpdater lamps;
   std::mt19937 random;
   const auto number = [&](double low, double high) { return low + (high - low) * double(random()) / 4294967296.; };
-  for (int i = 0, end = count > 3 ? std::atoi(arguments[3]) : 5000; i < end; ++i) {
-    litfog::PlacedLight lamp{.light = {.attenuation = {1, 0, 0.02 + 0.002 * (i % 40)}}, .direction = {0, -1, 0}};
-    lamp.light.color = {number(5, 20), number(5, 15), number(0, 10)};
-    if (i % 2 == 0) lamp.light.cone = litfog::Cone::smoothstep(0.6, 1.2);
-    lamp.position = {number(-1000, 1000), number(3, 9), number(-1000, -5)};
-    lamps.add(lamp);
+  for (int i = 0; i < lamp_count; ++i) {
+    litfog::Light kind{.color = {number(5, 20), number(5, 15), number(0, 10)},
+                       .attenuation = {1, 0, 0.02 + 0.002 * (i % 40)}};
+    if (i % 2 == 0) kind.cone = litfog::Cone::smoothstep(0.6, 1.2);
+    lamps.add(
+        {.light = kind, .position = {number(-1000, 1000), number(3, 9), number(-1000, -5)}, .direction = {0, -1, 0}});
   }
   const litfog::View view{.eye = {0, 12, 0}, .farthest = 1001};  // 90 degrees wide and high
   litfog::LightClusters clusters(count > 4 ? litfog::ClusterGrid{1, 1, 1} : litfog::ClusterGrid{});
 
   const litfog::gl::Program program("host.vert", "host.frag", kShaders);
   program.use();
-  glUniform1f(program.uniform("size"), float(size));
   for (int unit = 0; const char* table : {"litfog_kind_buffer", "litfog_instance_buffer", "litfog_cluster_buffer"})
     glUniform1i(program.uniform(table), unit++);
   litfog::gl::FogLightBuffer fog_block;
@@ -115,8 +123,8 @@ int main(int count, char** arguments) try {
     for (int y = size - 1; y >= 0; --y) output.write(&pixels[std::size_t(3 * size * y)], 3 * size);
     std::cout << visibility << " m: " << clusters.statistics().lights_in_view << " lamps in view\n";
   }
-  return output.flush() ? 0 : 1;
-} catch (const litfog::gl::Unsupported& reason) {
-  std::cerr << reason.what() << '\n';
-  return 3;
+  return output.flush() ? 0 : 4;
+} catch (const std::exception& error) {
+  std::cerr << error.what() << '\n';
+  return dynamic_cast<const litfog::gl::Unsupported*>(&error) != nullptr ? 3 : 1;
 }
