@@ -34,18 +34,49 @@ bool is_passed_over(std::string_view line) {
   return first == line.npos || line.substr(first).starts_with('#') || line.substr(first).starts_with("\"#");
 }
 
-/// The first line that is not passed over, without quotes.
-std::string header_of(std::string_view text) {
-  while (!text.empty()) {
+/// The lines that are not passed over.
+///
+/// use  takes a line, and returns whether it wants another
+template <typename Use>
+void for_each_line(std::string_view text, const Use& use) {
+  for (bool goes_on = true; goes_on && !text.empty();) {
     const std::string_view line = text.substr(0, find_line_end(text));
-    if (!is_passed_over(line)) {
-      std::string header(line);
-      std::erase(header, '"');
-      return header;
-    }
+    if (!is_passed_over(line)) goes_on = use(line);
     text.remove_prefix(std::min(line.size() + 1, text.size()));
   }
-  return "";
+}
+
+/// The first line that is not passed over.
+std::string_view header_line(std::string_view text) {
+  std::string_view header;
+  for_each_line(text, [&header](std::string_view line) {
+    header = line;
+    return false;
+  });
+  return header;
+}
+
+/// The same without quotes.
+std::string header_of(std::string_view text) {
+  std::string header(header_line(text));
+  std::erase(header, '"');
+  return header;
+}
+
+bool has_comma(std::string_view text) {
+  bool is_found = false;
+  for_each_line(text, [&is_found](std::string_view line) {
+    is_found = line.find(',') != line.npos;
+    return !is_found;
+  });
+  return is_found;
+}
+
+/// "1.200" and "-12.000", but not "1.25" or "0.125": a point that may stand between thousands.
+bool may_have_thousands(std::string_view number) {
+  number.remove_prefix(std::min(number.find_first_of("123456789"), number.size()));
+  const std::size_t point = number.find('.');
+  return point != number.npos && point >= 1 && point <= 3 && number.size() - point == 4;
 }
 
 struct Cell {
@@ -72,7 +103,9 @@ class Rows {
  public:
   Rows(std::string bytes, const std::string& name)
       : text_(lines_of(std::move(bytes))),
-        separator_(header_of(text_).find(';') == std::string::npos ? ',' : ';'),
+        header_(trimmed(header_line(text_))),
+        separator_(header_.find(';') == std::string::npos ? ',' : ';'),
+        has_decimal_commas_(separator_ == ';' && has_comma(text_)),
         file_(fmemopen(text_.data(), text_.size(), "r"), std::fclose),
         reader_(file_.get(), name, separator_) {}
 
@@ -107,16 +140,20 @@ class Rows {
   bool is_at_end() const { return is_at_end_; }
 
   double number(const Cell& cell, std::string_view what) const {
-    const bool may_be_thousands = separator_ == ',' && cell.text.find(',') != std::string::npos;
-    const auto number = may_be_thousands ? std::nullopt : TextScanner::number_if_any({cell.text, 0});
-    if (!number) {
-      fail(cell, what,
-           may_be_thousands ? "must have a decimal point where commas are between cells" : "must be a finite number");
+    const bool has_comma = cell.text.find(',') != std::string::npos;
+    if (separator_ == ',' && has_comma) {
+      fail(cell, what, "must have a decimal point where commas are between cells");
     }
+    if (has_decimal_commas_ && may_have_thousands(has_comma ? cell.text.substr(0, cell.text.find(',')) : cell.text)) {
+      fail(cell, what, "must have no point, which may be between thousands where other cells have decimal commas");
+    }
+    const auto number = TextScanner::number_if_any({cell.text, 0});
+    if (!number) fail(cell, what, "must be a finite number");
     return *number;
   }
 
-  const std::string& name() const { return name_; }  ///< the light's name
+  const std::string& name() const { return name_; }      ///< the light's name
+  const std::string& header() const { return header_; }  ///< as written
 
  private:
   InputLocation located(CsvLocation location) const {
@@ -129,7 +166,9 @@ class Rows {
   }
 
   std::string text_;
+  std::string header_;
   char separator_;
+  bool has_decimal_commas_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   CsvReader reader_;
   CsvRecord record_;
@@ -276,7 +315,12 @@ Luminaire parse_isocandela(std::string text, const std::string& name) {
   } else if (names == kEllipses) {
     parse_ellipses(rows, luminaire);
   } else {
-    fail({names, header.front().location}, "header", kHeaderRule);
+    const bool is_of_range = lower(rows.header()).find("lx") != std::string::npos ||
+                             lower(rows.header()).find("illuminance") != std::string::npos;
+    fail({rows.header(), header.front().location}, "header",
+         std::string(kHeaderRule) + (is_of_range ? "; a table of illuminance belongs in a light spec, "
+                                                   "as its range's illuminance"
+                                                 : ""));
   }
   luminaire.name = rows.name();
   return luminaire;

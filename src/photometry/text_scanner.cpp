@@ -53,7 +53,7 @@ std::string excerpt(std::string_view text) {
   shown.resize(std::min(shown.size(), utf8::find_invalid(shown)));  // no half of a code point
   const std::size_t length = shown.size();
   std::ranges::replace_if(
-      shown, [](char c) { return (c >= 0 && c < 0x20) || c == 0x7F; }, '?');
+      shown, [](char c) { return (c >= 0 && c < 0x20 && c != '\t') || c == 0x7F; }, '?');
   return length < text.size() ? shown + "..." : shown;
 }
 

@@ -61,6 +61,18 @@ TEST(Isocandela, TablesOfSpreadsheetsAreReadAsThoseByHand) {
   EXPECT_TRUE(is_isocandela("\"candela\";\"horizontal_deg\";\"vertical_deg\"\n"));
 }
 
+TEST(Isocandela, PointsThatMayBeBetweenThousandsAreRefusedBesideDecimalCommas) {
+  const std::string rule = ": must have no point, which may be between thousands where other cells have decimal commas";
+  const std::string header = "# left, \nvertical_deg;-2,5;0\n";
+  EXPECT_EQ(error_of(header + "0;1.200;3\n1;2;3\n"), "3:3: candela = 1.200" + rule);
+  EXPECT_EQ(error_of("vertical_deg;-2;0\n0;-12.000;3\n1;2,5;3\n"), "2:3: candela = -12.000" + rule);
+  EXPECT_EQ(error_of("vertical_deg;-2;0\n0;1.200,5;3\n1;2;3\n"), "2:3: candela = 1.200,5" + rule);
+  for (const char* decimal : {"1.2", "1.25", "0.125", "1200.125", "1.2000"}) {
+    EXPECT_EQ(parse(header + "0;" + decimal + ";3000\n1;2;3\n").distribution.intensity[0], std::stod(decimal));
+  }
+  EXPECT_EQ(parse("# left, \nvertical_deg;-2.500;0\n0;1.200;3\n1;2;3\n").distribution.intensity[0], 1.2);
+}
+
 TEST(Isocandela, EllipsesAreReadAsDrawn) {
   const Luminaire light = our_luminaire("approach_side_row.csv");
   EXPECT_EQ(light.name, "approach side row light");
@@ -87,6 +99,13 @@ TEST(Isocandela, TableIsKnownByItsHeaderOrItsName) {
 TEST(Isocandela, WrongTablesAreErrorsAtTheirCells) {
   const std::string header = "must be vertical_deg and the horizontal angles, or candela,horizontal_deg,vertical_deg, ";
   EXPECT_EQ(error_of("vertical,1,2\n"), "1:1: header = vertical,1,2: " + header + "with commas or semicolons between");
+  EXPECT_EQ(error_of("vertical;1;2\n"), "1:1: header = vertical;1;2: " + header + "with commas or semicolons between");
+  EXPECT_EQ(error_of("vertical_deg\t1\t2\n"),
+            "1:1: header = vertical_deg\t1\t2: " + header + "with commas or semicolons between");
+  EXPECT_EQ(error_of("range_m,lx\n10,100\n"),
+            "1:1: header = range_m,lx: " + header +
+                "with commas or semicolons between; a table of illuminance belongs in a light spec, as its range's "
+                "illuminance");
   EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,\"2\n"), "2:5: quote: must be closed on its line");
   EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,\"1,200\"\n"),
             "2:5: candela = 1,200: must have a decimal point where commas are between cells");
