@@ -92,6 +92,19 @@ void advise_on_source_radius(const LightFit& fit, Advice& advice) {
   }
 }
 
+/// A table of illuminance that no peak has.
+void advise_on_illuminance(const LightTarget& target, Advice& advice) {
+  if (target.illuminance.empty()) return;
+  const auto candela_of = [](const RangeSpec::Illuminance& row) { return row.lux * row.range * row.range; };
+  const auto [least, most] = std::ranges::minmax(target.illuminance, {}, candela_of);
+  if (candela_of(most) <= (1 + kGood.peak) * candela_of(least)) return;
+  advice.add(
+      "The illuminance does not fall by the square of the range, as a lamp's does in clear air: it is that of {} cd at "
+      "{} m and of {} cd at {} m.",
+      shown_number(candela_of(least)), shown_number(least.range), shown_number(candela_of(most)),
+      shown_number(most.range));
+}
+
 /// The rms error of a falloff table without one of its samples.
 double rms_without(std::size_t sample, const AttenuationTarget& target, const AttenuationFit& fit) {
   double sum = 0, weights = 0;
@@ -267,6 +280,7 @@ std::vector<std::string> advice_on(const LightFit& fit, const FitChoices& choice
       advise_on_edge(fit, advice);
     }
   } else if (!fit.cone) {
+  advise_on_illuminance(fit.target, advice);
     advice.add("No cone is given: a point light.");
   }
   if (fit.range) advise_on_source_radius(fit, advice);

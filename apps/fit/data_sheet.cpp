@@ -7,6 +7,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <map>
 #include <utility>
 
 #include "command/printable.h"
@@ -187,19 +188,25 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   });
 }
 
-/// The light's illuminance on its axis beside its peak's by the inverse square.
+/// The light's illuminance: where the beam is brightest beside what is stated, else on the axis beside its peak's by
+/// the inverse square.
 void add_illuminance(Sheet& sheet, const LightFit& fit) {
-  const Light near = photometric(fit.light);
-  const auto& peak = fit.target.light_peak;
+  const LightTarget& target = fit.target;
+  std::map<double, std::optional<double>> data_at;
+  for (const double range : {1., 3., 10., 30., 100.}) {
+    const bool has_data = target.light_peak && target.illuminance.empty();
+    data_at[range] = has_data ? std::optional(*target.light_peak / (range * range)) : std::nullopt;
+  }
+  for (const auto& [range, lux] : target.illuminance) data_at[range] = lux;
   sheet.add_heading("Illuminance");
   command::Table table{.columns = {"range_m", "light_lx"}};
-  if (peak) table.columns.insert(table.columns.end(), {"data_lx", "error_%"});
-  for (const double range : {1., 3., 10., 30., 100.}) {
-    const double lux = kWhiteLux * luminance(near.color) * attenuation_at(near.attenuation, range);
+  if (target.light_peak) table.columns.insert(table.columns.end(), {"data_lx", "error_%"});
+  const double angle = target.illuminance.empty() || fit.cookie ? 0 : fit.peak_angle;
+  for (const auto& [range, data] : data_at) {
+    const double lux = illuminance_at(fit.light, range, angle);
     Row& row = table.rows.emplace_back(Row{range, shown_rounded(lux, 6)});
-    if (!peak) continue;
-    const double data = *peak / (range * range);
-    row.insert(row.end(), {shown_rounded(data, 6), shown_change(percent_of(lux / data - 1), 3)});
+    if (data) row.insert(row.end(), {shown_rounded(*data, 6), shown_change(percent_of(lux / *data - 1), 3)});
+    row.resize(table.columns.size(), std::monostate());
   }
   sheet.add(table);
 }
@@ -282,6 +289,9 @@ std::string errors_of(const Outcome& outcome) {
     errors.push_back(fmt::format("falloff table {} % (rms), {} % at most",
                                  shown_rounded(percent_of(fit.range->rms_error), 3),
                                  shown_change(percent_of(fit.range->largest_error), 3)));
+  }
+  if (const auto& error = illuminance_error(outcome)) {
+    errors.push_back(fmt::format("illuminance {} % at most", shown_change(percent_of(error->error), 3)));
   }
   return joined(errors);
 }

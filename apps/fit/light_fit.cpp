@@ -97,6 +97,9 @@ void set_source_radius(Light& light, const LightTarget& target) {
 /// What is known of the light as it is written.
 void set_candela(LightFit& fit) {
   const LightTarget& target = fit.target;
+  fit.illuminance_error = largest_error(target.illuminance, [&fit](double range) {
+    return illuminance_at(fit.light, range, fit.cookie ? 0 : fit.peak_angle);
+  });
   const double peak = luminance(candela(fit.light));
   if (!std::isfinite(peak)) return;
   fit.peak = peak;
@@ -147,6 +150,22 @@ LightFit fit_light(LightTarget target) {
   }
   set_candela(fit);
   return fit;
+}
+
+double illuminance_at(const Light& light, double range, double angle) {
+  const Light near = photometric(light);
+  return kWhiteLux * luminance(near.color) * attenuation_at(near.attenuation, range) *
+         cone_at(near.cone, std::cos(angle));
+}
+
+std::optional<IlluminanceError> largest_error(const std::vector<RangeSpec::Illuminance>& stated,
+                                              const std::function<double(double range)>& lux) {
+  std::optional<IlluminanceError> largest;
+  for (const auto& [range, stated_lux] : stated) {
+    const double error = lux(range) / stated_lux - 1;
+    if (!largest || std::abs(error) > std::abs(largest->error)) largest = {range, error};
+  }
+  return largest;
 }
 
 double unstated_source_radius(const LightTarget& target) {

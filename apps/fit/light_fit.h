@@ -13,6 +13,12 @@
 
 namespace litfog::fit {
 
+/// The stated illuminance that a light is farthest from.
+struct IlluminanceError {
+  double range;  ///< metres
+  double error;  ///< the light's lux over the stated, minus 1
+};
+
 /// A light made from its spec, with all that is known of the fits.
 struct LightFit {
   LightTarget target;
@@ -34,7 +40,8 @@ struct LightFit {
   /// Not of a cookie: the light's intensity over the data's, minus 1, where a luminaire's is largest, or of a spec's
   /// peak.
   std::optional<double> peak_error;
-  bool is_proven() const;  ///< every fit is feasible, and shown to be the best
+  std::optional<IlluminanceError> illuminance_error;  ///< where its illuminance is stated
+  bool is_proven() const;                             ///< every fit is feasible, and shown to be the best
 
   /// How far the light's cone or cookie is from its beam, whatever the axis: sqrt(integral of (light - I)^2 / integral
   /// of I^2) over the sphere, for intensities I. Nothing without a beam.
@@ -48,6 +55,16 @@ struct LightFit {
 
 /// Metres, of the disc of a luminaire's opening, or the default.
 double unstated_source_radius(const LightTarget& target);
+
+/// Lux of a light, by its cone, on a surface that faces it.
+///
+/// range  metres
+/// angle  radians from the axis
+double illuminance_at(const Light& light, double range, double angle);
+
+/// lux  of the light, at a range in metres where the beam is brightest
+std::optional<IlluminanceError> largest_error(const std::vector<RangeSpec::Illuminance>& stated,
+                                              const std::function<double(double range)>& lux);
 
 /// Throws InputError for a stated source radius that the light's law cannot have.
 LightFit fit_light(LightTarget target);

@@ -280,6 +280,7 @@ void expect_end(const LightSpec& spec, const LightTarget& target, double lux) {
 void derive_extent(const LightSpec& spec, LightTarget& target) {
   const RangeSpec& range = *spec.range;
   target.flux = range.flux;
+  target.illuminance = range.illuminance;
   const auto peak = stated_peak(range, target);
   if (!peak && !range.end_illuminance) return;
   if (!peak && !target.peak) {
@@ -444,6 +445,7 @@ LightTarget part_of(const LightTarget& whole, const std::string& what, ConeTarge
   part.cone = std::move(cone);
   part.luminaire.reset();
   part.flux.reset();
+  part.illuminance.clear();
   set_end(part, *whole.end_illuminance);
   return part;
 }

@@ -72,6 +72,7 @@ struct LightTarget {
   /// luminaire is fitted to means over the turn, so that it has their largest; a cookie has the beam's. Nothing where
   /// the extent is stated.
   std::optional<double> light_peak = std::nullopt;
+  std::vector<RangeSpec::Illuminance> illuminance = {};  ///< where the beam is brightest, as stated
   std::optional<double> end_illuminance = std::nullopt;  ///< lx, from which the extent follows, if it does
   std::optional<double> flux = std::nullopt;             ///< lumens, as stated
   /// With the luminaire's profile about the axis as its samples, if there is a luminaire. With the circles of equal

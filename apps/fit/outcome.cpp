@@ -67,9 +67,11 @@ std::string light_beam_json(const Outcome& outcome) {
   beam.pop_back();
   const LightFit& fit = *outcome.fit;
   const auto& two = outcome.two;
-  return fmt::format(R"({}, "flux_error": {}, "peak_error": {}, "beam_error": {}}})", beam,
+  const auto& illuminance = illuminance_error(outcome);
+  return fmt::format(R"({}, "flux_error": {}, "peak_error": {}, "illuminance_error": {}, "beam_error": {}}})", beam,
                      number_or_null(two ? two->flux_error : fit.flux_error),
                      number_or_null(two ? two->peak_error : fit.peak_error),
+                     number_or_null(illuminance ? std::optional(illuminance->error) : std::nullopt),
                      number_or_null(two ? two->beam_error : fit.beam_error()));
 }
 
@@ -122,7 +124,10 @@ std::vector<Cell> row_of(const Outcome& outcome) {
                                               : std::nullopt));
     row.push_back(fit.beam() ? Cell(fit.target.asymmetry) : Cell(std::monostate()));
     const bool has_samples = fit.range && !fit.target.range->samples.empty();
-    row.push_back(has_samples ? Cell(100 * fit.range->largest_error) : Cell(std::monostate()));
+    const auto& illuminance = illuminance_error(outcome);
+    row.push_back(percent_or_none(has_samples   ? std::optional(fit.range->largest_error)
+                                  : illuminance ? std::optional(illuminance->error)
+                                                : std::nullopt));
     row.insert(row.end(), {name_of(outcome.verdict->grade), double(outcome.advice.size())});
   }
   row.resize(summary_columns().size() - 1, std::monostate());
@@ -131,6 +136,10 @@ std::vector<Cell> row_of(const Outcome& outcome) {
 }
 
 }  // namespace
+
+const std::optional<IlluminanceError>& illuminance_error(const Outcome& outcome) {
+  return outcome.two ? outcome.two->illuminance_error : outcome.fit->illuminance_error;
+}
 
 BeamData light_beam(const Outcome& outcome) { return outcome.two ? outcome.two->beam : light_beam(*outcome.fit); }
 

@@ -33,6 +33,7 @@ struct Outcome {
 
 /// What is written, one light or two.
 BeamData light_beam(const Outcome& outcome);
+const std::optional<IlluminanceError>& illuminance_error(const Outcome& outcome);
 
 /// Makes an outcome one without a light, by the exception that is being handled: every one is the input's own and names
 /// it, except a usage error, which is thrown again.
@@ -47,7 +48,8 @@ struct Summary {
 };
 
 /// Candela, lumens and full angles are the light's, data_cd and data_lm those that its data state. Errors are signed
-/// fractions in percent, fit less data; range_% is the largest of a falloff table.
+/// fractions in percent, fit less data; range_% is the largest of a table of attenuation or
+/// illuminance.
 const std::vector<std::string>& summary_columns();
 
 /// has_report  whether the JSON report is wanted

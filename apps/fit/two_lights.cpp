@@ -84,6 +84,7 @@ std::optional<TwoLights> fit_two_lights(const LightFit& fit) {
                  .beam_error = 0,
                  .flux_error = 0,
                  .peak_error = 0,
+                 .illuminance_error = {},
                  .beam = {}};
   const auto candela_at = [&both](double angle) {
     const double cosine = std::cos(angle);
@@ -99,6 +100,10 @@ std::optional<TwoLights> fit_two_lights(const LightFit& fit) {
                .field_angle = {2 * half_angle(profile, 0.1)}};
   both.flux_error = *both.beam.flux / luminous_flux(target.luminaire->distribution) - 1;
   both.peak_error = candela_at(fit.peak_angle) / target.luminaire_peak.intensity - 1;
+  both.illuminance_error = largest_error(target.illuminance, [&](double range) {
+    return illuminance_at(both.hot_spot.light, range, fit.peak_angle) +
+           illuminance_at(both.spill.light, range, fit.peak_angle);
+  });
   return both;
 }
 

@@ -14,7 +14,8 @@ struct TwoLights {
   double beam_error;  ///< LightFit::beam_error() of both together
   double flux_error;  ///< both lights' flux over the luminaire's, minus 1
   double peak_error;  ///< both lights' intensity over the luminaire's, minus 1, where the luminaire's is largest
-  BeamData beam;      ///< light_beam() of both together
+  std::optional<IlluminanceError> illuminance_error;  ///< of both together, where it is stated
+  BeamData beam;                                      ///< light_beam() of both together
 };
 
 /// The two lights that follow a luminaire's beam best about the fit's axis, by the least squares of intensity over the

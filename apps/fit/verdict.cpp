@@ -91,6 +91,19 @@ void judge_cone(Findings& findings, const ConeTarget& target, const ConeProfileF
   if (is_measured || target.field_angle) add(&GradeLimits::field_angle, fit.field_angle_error, "10 % angle");
 }
 
+/// What is stated of the peak, as a table of illuminance or otherwise.
+void judge_peak(Findings& findings, const std::optional<IlluminanceError>& illuminance,
+                const std::optional<double>& peak_error) {
+  if (illuminance) {
+    findings.add_error(
+        &GradeLimits::peak, illuminance->error,
+        fmt::format("illuminance at {} m off by {}", shown_number(illuminance->range), change(illuminance->error)));
+  } else if (peak_error) {
+    findings.add_error(&GradeLimits::peak, *peak_error,
+                       fmt::format("intensity off by {} at the beam's peak", change(*peak_error)));
+  }
+}
+
 }  // namespace
 
 Verdict judge(const LightFit& fit) {
@@ -100,12 +113,9 @@ Verdict judge(const LightFit& fit) {
   if (fit.beam()) {
     const double asymmetry = fit.target.asymmetry;
     findings.add_error(&GradeLimits::asymmetry, asymmetry,
-                       fmt::format("{} of the beam (rms) not symmetric about the axis", percent(asymmetry)));
+                       fmt::format("{} of the beam (rms) not symmetric", percent(asymmetry)));
   }
-  if (fit.peak_error) {
-    findings.add_error(&GradeLimits::peak, *fit.peak_error,
-                       fmt::format("intensity off by {} where the beam is brightest", change(*fit.peak_error)));
-  }
+  judge_peak(findings, fit.illuminance_error, fit.peak_error);
   return findings.verdict();
 }
 
@@ -118,8 +128,7 @@ Verdict judge(const TwoLights& lights) {
   findings.add_error(&GradeLimits::flux, lights.flux_error, fmt::format("flux off by {}", change(lights.flux_error)));
   findings.add_error(&GradeLimits::asymmetry, lights.beam_error,
                      fmt::format("{} of the beam (rms) not in the two lights", percent(lights.beam_error)));
-  findings.add_error(&GradeLimits::peak, lights.peak_error,
-                     fmt::format("intensity off by {} where the beam is brightest", change(lights.peak_error)));
+  judge_peak(findings, lights.illuminance_error, lights.peak_error);
   return findings.verdict();
 }
 
@@ -144,7 +153,7 @@ std::string grade_table() {
       {"angle at 50 %", &GradeLimits::beam_angle},
       {"angle at 10 %", &GradeLimits::field_angle},
       {"asymmetry of the beam, error of two lights", &GradeLimits::asymmetry},
-      {"intensity where the beam is brightest", &GradeLimits::peak}};
+      {"intensity at the beam's peak, illuminance", &GradeLimits::peak}};
   std::string table = fmt::format("  {:<44}{:>6}  {:>6}, else it is poor\n", "", "good", "fair");
   for (const auto& [error, limit] : kErrors) {
     table += fmt::format("  {:<44}{:>4.0f} %  {:>4.0f} %\n", error, 100 * kGood.*limit, 100 * kFair.*limit);

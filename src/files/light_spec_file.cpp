@@ -93,8 +93,11 @@ void parse_end(const JsonValue& value, RangeSpec& range) {
     }
     for (const JsonValue& row : is_table ? illuminance->items() : std::vector{*illuminance}) {
       row.allow_only({"range_m", "lx"});
-      range.illuminance.push_back(
-          {.range = positive_number(row.member("range_m")), .lux = positive_number(row.member("lx"))});
+      const double metres = positive_number(row.member("range_m"));
+      if (std::ranges::count(range.illuminance, metres, &RangeSpec::Illuminance::range) > 0) {
+        row.member("range_m").fail("must not be the range of a row before it");
+      }
+      range.illuminance.push_back({.range = metres, .lux = positive_number(row.member("lx"))});
     }
   }
 }

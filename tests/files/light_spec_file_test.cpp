@@ -127,10 +127,12 @@ TEST_F(LightSpecFile, IlluminanceMayBeATable) {
   const LightSpec spec = read(R"("range": {"illuminance": [{"range_m": 10, "lx": 9}, {"range_m": 20, "lx": 2}]})");
   EXPECT_EQ(spec.range->illuminance, (std::vector<RangeSpec::Illuminance>{{10, 9}, {20, 2}}));
   for (const char* value : {"[]", "9"}) {
-    EXPECT_NE(error_of(R"("range": {"illuminance": )" + std::string(value) + "}").find(
-                  "must be an object of range_m and lx, or an array of them, the rows of a table"),
+    EXPECT_NE(error_of(R"("range": {"illuminance": )" + std::string(value) + "}")
+                  .find("must be an object of range_m and lx, or an array of them, the rows of a table"),
               std::string::npos);
   }
+  EXPECT_EQ(error_of(R"("range": {"illuminance": [{"range_m": 10, "lx": 100}, {"range_m": 10, "lx": 25}]})"),
+            "f.json:2:67: range.illuminance[1].range_m = 10: must not be the range of a row before it");
 }
 
 TEST_F(LightSpecFile, FamilyOfARangeIsChosen) {

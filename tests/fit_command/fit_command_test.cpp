@@ -707,6 +707,30 @@ TEST_F(FitCommand, ReportHasTheIlluminanceOfTheLightNearAndFar) {
   EXPECT_FALSE(has(run("reach.json --details").out, "data_lx")) << "nothing is stated";
 }
 
+TEST_F(FitCommand, TableOfIlluminanceIsJudgedByItsLargestError) {
+  const auto run_table = [this](const std::string& rows) {
+    write_spec("table.json",
+               R"("source_radius_m": 0.001, "range": {"illuminance": [{"range_m": 10, "lx": 100}, )" + rows + "]}");
+    return run("table.json --details");
+  };
+  const Outcome outcome = run_table(R"({"range_m": 20, "lx": 1})");  // 2000 cd: 20 and 5 lx
+  EXPECT_EQ(outcome.status, kNotToTolerance);
+  EXPECT_EQ(outcome.err, "table.json: poor: illuminance at 20 m off by +400 %\n");
+  EXPECT_TRUE(has(outcome.out, "it is that of 400 cd at 20 m and of 10000 cd at 10 m"));
+  std::istringstream rows(outcome.out.substr(outcome.out.find("range_m  light_lx") + 40));
+  std::string row;
+  while (std::getline(rows, row) && !row.starts_with("       20")) continue;
+  double range = 0, lux = 0, data = 0, error = 0;
+  std::istringstream(row) >> range >> lux >> data >> error;
+  EXPECT_NEAR(lux, 5, 1e-5);
+  EXPECT_EQ(data, 1) << "the row's own";
+  EXPECT_EQ(error, 400);
+  const auto report = nlohmann::json::parse(run("table.json --format json").out)[0];
+  EXPECT_NEAR(report["light_beam"]["illuminance_error"].get<double>(), 2000 / (400 + 1e-6) - 1, 1e-12);
+  EXPECT_TRUE(has(run_table(R"({"range_m": 20, "lx": 25}, {"range_m": 40, "lx": 3})").err, "at 40 m off by +63.1 %"));
+  EXPECT_TRUE(has(run_table(R"({"range_m": 20, "lx": 25})").out, "good: what is stated is met\n"));
+}
+
 TEST_F(FitCommand, ErrorsOfAFalloffTableAreTheSameSignedFractionsInTextAndJson) {
   write_spec("table.json", R"("range": {"constant": 1, "samples": [
     {"range_m": 1, "attenuation": 0.9}, {"range_m": 2, "attenuation": 0.7}, {"range_m": 4, "attenuation": 0.38},

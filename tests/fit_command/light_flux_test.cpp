@@ -210,7 +210,7 @@ TEST_F(LightFlux, LightOfAStreetLampHasItsFluxAndIsCalledPoorWhereItIsTooDark) {
   EXPECT_EQ(report["beam"]["peak_cd"], 3000);
   EXPECT_LT(report["light_beam"]["peak_error"].get<double>(), -0.33);
   EXPECT_EQ(report["verdict"], "poor");
-  EXPECT_TRUE(has(report["why"].get<std::string>(), "% where the beam is brightest")) << report["why"];
+  EXPECT_TRUE(has(report["why"].get<std::string>(), "% at the beam's peak")) << report["why"];
 }
 
 TEST_F(LightFlux, LightOfASpecThatScalesAStreetLampHasItsFlux) {

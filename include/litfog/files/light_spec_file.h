@@ -40,7 +40,8 @@ namespace litfog {
 ///         "peak_cd": 12000,                     the beam's largest, of a colour of luminance 1; default: that of the
 ///                                               cone's photometry, which is scaled to it; or
 ///         "illuminance": {"range_m": 10, "lx": 120},     instead, in clear air: the peak is lx * range_m^2; of a
-///                                               table, an array of such rows, the geometric mean of that; or
+///                                               table, an array of such rows at different ranges, the
+///                                               geometric mean of that; or
 ///         "flux_lm": 900,                       instead, of the whole light: the peak is the flux over that of the
 ///                                               cone or the photometry with a peak of 1 cd
 ///         "constant": 1,                        C, to be kept
@@ -87,7 +88,7 @@ struct RangeSpec {
   std::optional<double> extent = {};           ///< metres; not beside any of the next four
   std::optional<double> end_illuminance = {};  ///< lux, > 0
   std::optional<double> peak = {};             ///< candela, > 0; at most one of this and the next two
-  std::vector<Illuminance> illuminance = {};   ///< a row, or the rows of a table
+  std::vector<Illuminance> illuminance = {};   ///< a row, or the rows of a table, at different ranges
   std::optional<double> flux = {};             ///< lumens, > 0
   std::optional<double> constant = {};
   Family family = Family::quadratic;
