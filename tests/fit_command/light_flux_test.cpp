@@ -14,6 +14,7 @@
 #include <numbers>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "command/command_test.h"
 #include "command/exit_status.h"
@@ -176,7 +177,20 @@ TEST_F(LightFlux, FluxOfEveryLightWrittenIsItsReportsAndThatOfItsFile) {
     expect_fluxes(entry.path().string(), flux_of_file(entry.path().string()));
     ++count;
   }
-  EXPECT_GE(count, 30u);
+  std::vector<std::function<double(double degrees)>> beams;
+  for (const double exponent : {1., 2., 5., 12., 30.}) {
+    beams.emplace_back(
+        [=](double degrees) { return 500 * std::pow(std::max(std::cos(degrees * pi / 180), 0.0), exponent); });
+  }
+  for (const double width : {8., 15., 25., 40.}) {
+    beams.emplace_back([=](double degrees) { return 2000 * std::exp(-std::pow(degrees / width, 2)); });
+  }
+  for (const auto& beam : beams) {
+    const std::string file = "beam" + std::to_string(count++) + ".ies";
+    write(file, ies_of(beam));
+    expect_fluxes(file, flux_of_file(file));
+  }
+  EXPECT_GE(count, 40u);
 }
 
 TEST_F(LightFlux, FluxOfLightsFromContainersAndTablesIsThatOfTheirFiles) {
