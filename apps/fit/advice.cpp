@@ -150,8 +150,10 @@ void advise_on_range(const Trials& trials, Advice& advice) {
 std::string dark_profile(const ConeFit& fit) {
   for (const ConeProfileFit& profile : fit.profiles) {
     if (cutoff_level(profile.cone) > 0.01) continue;
-    return fmt::format(": --profile {} has none, and is off by {} of the peak (rms) in place of {}",
-                       facts_of(profile.cone.profile).name, percent(profile.rms, 2), percent(fit.best().rms, 2));
+    const std::string rms = percent(profile.rms, 2), best = percent(fit.best().rms, 2);
+    return fmt::format(
+        ": --profile {} has none, and is {}", facts_of(profile.cone.profile).name,
+        rms == best ? "no farther off" : fmt::format("off by {} of the peak (rms) in place of {}", rms, best));
   }
   return "";
 }
@@ -172,6 +174,20 @@ void advise_on_edge(const LightFit& fit, Advice& advice) {
              shown_angle(cutoff_angle(best.cone)), percent(edge, 2), dark_profile(*fit.cone));
 }
 
+/// Whether two lights are so much nearer to a beam than one that they are worth the time to draw them.
+bool are_worthwhile(const TwoLights& two, const LightFit& one) {
+  return two.beam_error < kWorthASecondLight * *one.beam_error() &&
+         std::abs(two.flux_error) < kWorthASecondLight * std::abs(*one.flux_error);
+}
+
+void advise_against_spill(const LightFit& fit, const TwoLights& two, Advice& advice) {
+  if (are_worthwhile(two, fit)) return;
+  advice.add(
+      "Two lights are hardly better than one: they are off by {} of the beam (rms) and {:+.1f} % of the flux, and one "
+      "by {} and {:+.1f} %.",
+      percent(two.beam_error, 3), 100 * two.flux_error, percent(*fit.beam_error(), 3), 100 * *fit.flux_error);
+}
+
 void advise_on_flux(const LightFit& fit, Advice& advice) {
   const ConeFit& cone = *fit.cone;
   const std::optional<double>& error = cone.best().flux_error;
@@ -186,10 +202,7 @@ void advise_on_flux(const LightFit& fit, Advice& advice) {
                                            facts_of(nearest->cone.profile).name, 100 * *nearest->flux_error)
                              : "");
   const auto two = *error < 0 ? fit_two_lights(fit) : std::nullopt;
-  if (!two || two->beam_error >= kWorthASecondLight * *fit.beam_error() ||
-      std::abs(two->flux_error) >= kWorthASecondLight * std::abs(*error)) {
-    return;
-  }
+  if (!two || !are_worthwhile(*two, fit)) return;
   advice.add(
       "--spill writes a second light for it. Both have {} of the file's {} lm, and are off by {} of the beam (rms) in "
       "place of {}.",
@@ -260,27 +273,29 @@ void advise_on_axis(const Trials& trials, Advice& advice) {
 
 }  // namespace
 
-std::vector<std::string> advice_on(const LightFit& fit, const FitChoices& choices,
+std::vector<std::string> advice_on(const LightFit& fit, const std::optional<TwoLights>& two, const FitChoices& choices,
                                    const std::function<LightTarget(const FitChoices&)>& read) {
   const Trials trials{fit, choices, read};
   Advice advice;
   advise_on_contours(fit.target, advice);
   advise_on_color(fit.target.color, advice);
   advise_on_luminance(fit.target, advice);
+  advise_on_illuminance(fit.target, advice);
   if (fit.range) {
     advise_on_range(trials, advice);
   } else {
     advice.add("No range is given: the light does not fall off. Give its extent or a falloff table.");
   }
-  if (fit.cone && !choices.has_spill) {
+  if (two) {
+    advise_against_spill(fit, *two, advice);
+  } else if (fit.cone) {
     advise_on_axis(trials, advice);
     advise_on_cookie(trials, advice);
     if (!fit.cookie) {
       advise_on_flux(fit, advice);
       advise_on_edge(fit, advice);
     }
-  } else if (!fit.cone) {
-  advise_on_illuminance(fit.target, advice);
+  } else {
     advice.add("No cone is given: a point light.");
   }
   if (fit.range) advise_on_source_radius(fit, advice);

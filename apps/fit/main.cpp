@@ -305,8 +305,8 @@ Outcome fit(const Options& options, const Input& input, const std::string& outpu
     outcome.light = text_of(fitted);
     outcome.verdict = judge(fitted);
     if (options.choices.has_spill) split(outcome);
-    outcome.advice =
-        advice_on(fitted, options.choices, [&input](const FitChoices& other) { return read(input, other); });
+    outcome.advice = advice_on(fitted, outcome.two, options.choices,
+                               [&input](const FitChoices& other) { return read(input, other); });
     const bool is_proven =
         outcome.two ? outcome.two->hot_spot.is_proven() && outcome.two->spill.is_proven() : fitted.is_proven();
     if (!is_proven || outcome.verdict->grade == Grade::poor) outcome.status = kNotToTolerance;
@@ -457,11 +457,12 @@ ExitStatus run(const CLI::App& app, const Options& options) {
   if (is_pair && inputs.size() != 2) {
     fail_option("--against", options.against, "must be one light, and so must the input");
   }
+  const char* const several = is_pair ? "--against" : "several inputs";
   check_options(
-      app, {{"several inputs", inputs.size() > 1 && !is_pair, {"--plot"}, "it shows a single light"},
-            {"several inputs", inputs.size() > 1, {"--cookie"}, "it shows a single light"},
-            {"several inputs", inputs.size() > 1, {"--spill"}, "it is of a single beam"},
-            {"several inputs", inputs.size() > 1, {"--details"}, "it shows a single light"},
+      app, {{several, inputs.size() > 1 && !is_pair, {"--plot"}, "it shows a single light"},
+            {several, inputs.size() > 1, {"--cookie"}, "it shows a single light"},
+            {several, inputs.size() > 1, {"--spill"}, "it is of a single beam"},
+            {several, inputs.size() > 1, {"--details"}, "it shows a single light"},
             {"no output", (options.output + options.plot + options.cookie).empty(), {"--force"}, "it replaces files"}});
   if (!options.plot.empty()) figure_format_of("--plot", options.plot);
   if (!options.cookie.empty() && fs::path(options.cookie).extension() != ".exr") {

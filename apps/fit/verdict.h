@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -44,9 +45,10 @@ std::string grade_table();
 /// What the author of a light may want to know or change, a sentence each, the gravest first. A change of the command
 /// line is fitted before it is advised: it is named with the error that it leaves, where that is smaller.
 ///
+/// two      the lights in place of the fit's, if that was chosen
 /// choices  those of the fit
 /// read     the fit's target by other choices
-std::vector<std::string> advice_on(const LightFit& fit, const FitChoices& choices,
+std::vector<std::string> advice_on(const LightFit& fit, const std::optional<TwoLights>& two, const FitChoices& choices,
                                    const std::function<LightTarget(const FitChoices&)>& read);
 
 }  // namespace litfog::fit

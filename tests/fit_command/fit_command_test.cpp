@@ -1187,6 +1187,15 @@ TEST_F(FitCommand, RingIsCalledOneAndNotABeamAimedElsewhere) {
   EXPECT_FALSE(has(run("spot.ies").out, "ring"));
 }
 
+TEST_F(FitCommand, ReportSaysInLinesOf200LettersWhatAChangeImproves) {
+  const std::string data = std::string("'") + LITFOG_TEST_DATA_DIR;
+  EXPECT_TRUE(has(run(data + "/photometry/latin_1.ies'").out, "--profile smoothstep has none, and is no farther off."));
+  for (const char* file : {"/photometry/position_light_left.csv'", "/../../data/specs/headlight-dipped.json'"}) {
+    std::istringstream lines(run(data + file).out);
+    for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 200u) << line;
+  }
+}
+
 TEST_F(FitCommand, VerdictOfWhatIsMetNamesNoError) {
   write_spec("exact.json", R"("cone": {"beam_angle_deg": 24})");
   const Outcome outcome = run("exact.json");
@@ -1199,6 +1208,8 @@ TEST_F(FitCommand, TwoLightsAreInOneTableAndOnePlot) {
   for (const char* label : {"spot / beam", ">spot<", ">beam<"}) {
     EXPECT_TRUE(has(read("both.svg"), label));
   }
+  expect_usage_error("spot.ies --against lamp.json --details",
+                     "--details cannot be given with --against: it shows a single light");
   expect_usage_error("spot.ies beam.json --against lamp.json",
                      "--against = lamp.json: must be one light, and so must the input");
 }

@@ -299,9 +299,11 @@ TEST_F(LightFlux, HotSpotAndSpillAsTwoLightsHaveTheCandelaAndFluxThatOneLacks) {
   EXPECT_LE(std::ranges::count(text, '\n'), 15);
 }
 
-TEST_F(LightFlux, BeamThatOneConeFollowsHasNoAdviceOnASecondLight) {
+TEST_F(LightFlux, BeamThatOneConeFollowsHasNoAdviceOnASecondLightButOneAgainstIt) {
   write("cosine.ies", ies_of([](double degrees) { return 500 * std::pow(std::cos(degrees * pi / 180), 40); }));
   EXPECT_FALSE(has(report_on("cosine.ies")["advice"].dump(), "--spill"));
+  EXPECT_TRUE(
+      has(report_on("cosine.ies", "--spill spill.json")["advice"].dump(), "Two lights are hardly better than one"));
 }
 
 TEST_F(LightFlux, TwoLightsOfASpecHaveItsPeakAndEndWhereItSays) {
