@@ -13,7 +13,7 @@ inline constexpr KeyMeaning kKeyMeanings[] = {
     {"drag", "orbits about what is under the mouse, or looks around"},
     {"right drag", "shifts the view"},
     {"wheel", "goes nearer to what is under the mouse"},
-    {"W A S D, Q E", "fly, also through walls; with Shift faster"},
+    {"W A S D, Q E", "fly, not through walls; with Shift faster"},
     {"click", "picks a lamp"},
     {"Ctrl drag", "moves the picked lamp"},
     {"Del", "removes the picked lamp"},

@@ -194,6 +194,43 @@ TEST_F(WindowCommand, SteeredWindowShowsAndSavesThePictureThatItsCommandDraws) {
   EXPECT_TRUE(has(command, " --set 'lights[0].attenuation.quadratic="));
 }
 
+TEST_F(WindowCommand, FalseColorsKeysAndThePickedLampAreDrawnAndTakenAway) {
+  if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
+  write("yard.json", kScene);
+  start_window(fmt::format("yard.json --size {}x{}", kWidth, kHeight));
+  steer("mousemove 20 470 key ctrl+p");
+  next_line();  // the whole picture is drawn
+  std::this_thread::sleep_for(std::chrono::seconds(1));
+  const Screen plain = screen();
+  // The fraction of the pixels about a point that are not as before.
+  const auto changed = [&](int x, int y, int half_width, int half_height) {
+    std::this_thread::sleep_for(std::chrono::seconds(1));
+    const Screen now = screen();
+    int count = 0;
+    for (int j = y - half_height; j < y + half_height; ++j) {
+      for (int i = x - half_width; i < x + half_width; ++i) count += apart(now.pixel(i, j), plain.pixel(i, j)) > 2;
+    }
+    return count / (4. * half_width * half_height);
+  };
+  const auto changed_picture = [&] { return changed(640, 108, 300, 100); };
+  steer("key f");
+  EXPECT_GT(changed_picture(), 0.9);
+  steer("key f");
+  EXPECT_EQ(changed_picture(), 0);
+  steer("key F1");
+  EXPECT_GT(changed_picture(), 0.1);
+  steer("key F1");
+  EXPECT_EQ(changed_picture(), 0);
+  click(kLampX, kLampY);
+  steer("mousemove 20 470");
+  EXPECT_GT(changed(kLampX, kLampY, 60, 60), 0.01) << "its reach";
+  EXPECT_GT(changed(700, 350, 200, 100), 0.05) << "its controls";
+  EXPECT_GT(changed(925, 350, 25, 100), 0.01) << "what a ray gathers of it";
+  click(338, 200);
+  steer("mousemove 20 470");
+  EXPECT_EQ(changed_picture(), 0);
+}
+
 TEST_F(WindowCommand, KeysFlyToAWallAndNotThroughIt) {
   if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
   std::string walled = kScene;
