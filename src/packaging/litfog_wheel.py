@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""Makes a wheel for pip (PEP 517): CMake builds litfog in build/ and installs what is packed."""
+"""Makes a wheel for pip (PEP 517): CMake builds litfog, and installs what is packed."""
 
 import base64
 import hashlib
@@ -14,15 +14,19 @@ import zipfile
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):
-    """Called by pip in the sources' folder. A build folder that is there keeps its options."""
+    """Called by pip in the sources' folder.
+
+    config_settings  build: the folder to build in, "build" if not given; one that is there keeps its options
+    """
+    build = (config_settings or {}).get("build", "build")
     options = ["-DLITFOG_BUILD_PYTHON=ON", f"-DPython3_EXECUTABLE={os.path.realpath(sys.executable)}"]
-    if not os.path.exists("build/CMakeCache.txt"):
+    if not os.path.exists(os.path.join(build, "CMakeCache.txt")):
         options += ["--preset=release", "-DLITFOG_BUILD_TESTS=OFF"]
-    run_cmake("-S.", "-Bbuild", *options)
-    run_cmake("--build", "build", "--target", "litfog_python_package")
+    run_cmake("-S.", f"-B{build}", *options)
+    run_cmake("--build", build, "--target", "litfog_python_package")
     with tempfile.TemporaryDirectory() as prefix:
         for component in ("python3", "pictures", "data"):
-            run_cmake("--install", "build", "--prefix", prefix, "--component", component)
+            run_cmake("--install", build, "--prefix", prefix, "--component", component)
         return pack(pathlib.Path(prefix), pathlib.Path(wheel_directory))
 
 

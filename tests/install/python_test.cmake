@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 # The Python package of the install tree PREFIX, which was moved, finds its libraries, and its types lie beside it. With
 # PICTURES it also finds its scenes: one that is in no other tree. Where the libraries are not SHARED, so does the package
-# that pip installs into a virtual environment.
+# that `pip install .` builds in BUILD_DIR and installs into a virtual environment.
 cmake_minimum_required(VERSION 3.25)
 set(folder ${PREFIX}/lib/python3/dist-packages)
 
@@ -30,10 +30,8 @@ if(NOT SHARED)
   file(MAKE_DIRECTORY ${WORK_DIR})
   execute_process(COMMAND ${PYTHON} -m venv --system-site-packages ${environment} COMMAND_ERROR_IS_FATAL ANY)
   set(PYTHON ${environment}/bin/python)
-  set(folder ${PACKAGING})
-  run_python("import litfog_wheel, pathlib\nlitfog_wheel.pack(pathlib.Path('${PREFIX}'), pathlib.Path('${WORK_DIR}'))")
-  file(GLOB wheel ${WORK_DIR}/*.whl)
-  execute_process(COMMAND ${PYTHON} -m pip install --quiet --no-index ${wheel} COMMAND_ERROR_IS_FATAL ANY)
+  execute_process(COMMAND ${PYTHON} -m pip install --quiet --no-index --no-deps --no-build-isolation
+                          --config-settings build=${BUILD_DIR} ${SOURCE_DIR} COMMAND_ERROR_IS_FATAL ANY)
   set(folder "")
   run_python("import litfog\nprint(litfog.data_dir, litfog.read_light('headlight').name)")
   if(NOT output MATCHES "^${environment}/share/litfog headlight")
