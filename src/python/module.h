@@ -85,7 +85,7 @@ struct Given {
 
   T value(const std::string& name) const {
     using Caster = py::detail::make_caster<T>;
-    expect_plain_values(object, name);
+    if constexpr (std::is_arithmetic_v<T> || std::is_same_v<T, glm::dvec3>) expect_plain_values(object, name);
     Caster caster;
     if (!object.is_none() && caster.load(object, true)) return py::detail::cast_op<T>(caster);
     std::string type = Caster::name.text;
