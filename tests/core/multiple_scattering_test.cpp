@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "reference/double_limits.h"
+#include "reference/near_numbers.h"
 #include "reference/random_light.h"
 #include "reference/ulp.h"
 #include "value_errors.h"
@@ -93,6 +94,16 @@ TEST(EffectiveIntensity, IsTheIntegral) {
         [&] { return describe(attenuation, density); });
   }
   error.check();
+}
+
+RC_GTEST_PROP(EffectiveIntensity, BoundsHoldAtKneesAndWhereTheLawChangesItsPower, ()) {
+  const double constant = *near_one_of({0, 1e-9, 0.5, 1, 2}), linear = *near_one_of({0, 1e-3, 1});
+  const Attenuation a{constant, linear, *near_one_of({0, 1e-6, 1, linear * linear / 4 / std::max(constant, 1e-9)})};
+  RC_PRE(!find_error(a) && (linear == 0 || linear > 1e-9) && (a.quadratic == 0 || a.quadratic > 1e-13));
+  const double knee = compute_knee(a);
+  const double density = *near_one_of({1e-4, 1, knee > 0 && knee < kInfinity ? 1 / knee : 30});
+  RC_ASSERT(std::abs(effective_intensity(a, density) / double(integrated_intensity(a, density)) - 1) <=
+            kEffectiveIntensityMaxError);
 }
 
 TEST(EffectiveIntensity, InThinFogIsTheLampsOwn) {
