@@ -251,6 +251,15 @@ def fuzz():
 
 
 @figure
+def coverage():
+    rows = [{**row, "folder": row["filename"].rpartition("/")[0]} for row in read("coverage")]
+    return plain(["folder", "lines", "branches"], [[f"`{folder}`", *(
+        f"{sum(row[f'{what}_covered'] for row in only(rows, folder=folder)):.0f} of "
+        f"{sum(row[f'{what}_total'] for row in only(rows, folder=folder)):.0f}" for what in ("line", "branch"))]
+        for folder in sorted({row["folder"] for row in rows})])
+
+
+@figure
 def mutants():
     rows = read("mutants")
     lines = []

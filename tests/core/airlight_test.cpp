@@ -25,6 +25,7 @@
 #include "core/value_errors.h"
 #include "litfog/solve.h"
 #include "reference/double_limits.h"
+#include "reference/near_numbers.h"
 #include "reference/random_airlight.h"
 #include "reference/reference_solver.h"
 #include "reference/ulp.h"
@@ -242,6 +243,19 @@ TEST(Airlight, AxialAirlightHasItsStatedErrorAgainst50Digits) {
     ordinary.check();
     wide.check();
   }
+}
+
+RC_GTEST_PROP(Airlight, BoundsHoldOfAxialAirlightAtKneesAndExtents, ()) {
+  const double constant = *near_one_of({0, 0.5, 1, 2, 19.9}), linear = *near_one_of({0, 1e-6, 0.1, 10});
+  const Attenuation a{constant, linear, *near_one_of({0, 1e-9, 0.01, 1})};
+  const double threshold = *near_one_of({0.05, 0.5, 1 / std::max(constant, 1.0), 1 - 1e-9});
+  RC_PRE(!find_error(a) && !find_threshold_error(threshold) && linear + a.quadratic > 1e-30);
+  const double knee = compute_knee(a), extent = compute_extent(a, threshold);
+  RC_PRE(extent > 0 && Digits50(constant) * threshold < 1);
+  const double density = *near_one_of({1 / std::max(knee, 1e-3), 1 / extent, 30 / extent, 1e-3});
+  const SolveCase c{a, {*rc::gen::element(FogMode::exp, FogMode::exp2), density}, threshold};
+  RC_LOG() << to_string(c);
+  RC_ASSERT(ulp_error(axial_airlight(a, c.fog, threshold), axial_reference(c)) <= kAxialAirlightMaxUlp);
 }
 
 TEST(Airlight, AxialAirlightIsNeverBelowTheIntensityNorAboveItsLimits) {

@@ -159,6 +159,15 @@ TEST(ScatteredLight, PositionThatIsNoneIsNamed) {
   EXPECT_EQ(refused({0, 0, kInfinity}).find("position.z = inf: "), 0u);
 }
 
+TEST(ScatteredLight, LightOrSurfaceThatIsNoneIsNamed) {
+  EXPECT_EQ(error_of([] { irradiance({.all = -1}, {0, 1, 0}); }), "all = -1: must be in [0, 1e100]");
+  EXPECT_EQ(error_of([] {
+              irradiance({.all = 1, .flow = {0, 2e100, 0}}, {0, 1, 0});
+            }),
+            "flow.y = 2e+100: must be at most 1e100 in magnitude");
+  EXPECT_EQ(error_of([] { irradiance({.all = 1}, {0, 2, 0}); }), "normal = 2: length must be 1 within 1e-6");
+}
+
 // The flow through a sphere around a point lamp is what has been scattered within it. What the two sides of a surface
 // receive differs by the flow through it, and is a fourth of all light in the mean over surfaces.
 TEST(ScatteredLight, NoneIsLost) {
