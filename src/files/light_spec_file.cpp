@@ -93,8 +93,7 @@ void parse_end(const JsonValue& value, RangeSpec& range) {
     }
     for (const JsonValue& row : is_table ? illuminance->items() : std::vector{*illuminance}) {
       row.allow_only({"range_m", "lx"});
-      range.illuminance.push_back(
-          {.range = positive_number(row.member("range_m")), .lux = positive_number(row.member("lx"))});
+      range.illuminance.push_back({positive_number(row.member("range_m")), positive_number(row.member("lx"))});
     }
   }
 }
@@ -110,8 +109,8 @@ RangeSpec parse_range(const JsonValue& value) {
   if (const auto samples = value.optional("samples")) {
     for (const JsonValue& sample : samples->items()) {
       sample.allow_only({"range_m", "attenuation", "weight"});
-      range.samples.push_back(
-          {sample.member("range_m").number(), sample.member("attenuation").number(), sample.number_or("weight", 1)});
+      const double weight = sample.number_or("weight", 1);
+      range.samples.push_back({sample.member("range_m").number(), sample.member("attenuation").number(), weight});
     }
   }
   if (const auto family = value.optional("family")) {
@@ -232,7 +231,8 @@ std::string rule_in_degrees(std::string_view rule) {
   std::string result(rule);
   for (const auto& [radians, degrees] : {std::pair{"2 pi", "360"}, {"pi/2", "90"}, {"pi", "180"}}) {
     if (const auto at = result.find(radians); at != result.npos) {
-      return result.replace(at, std::string_view(radians).size(), degrees);
+      result.replace(at, std::string_view(radians).size(), degrees);
+      break;
     }
   }
   return result;
