@@ -393,6 +393,18 @@ AirlightCase looking(const Attenuation& attenuation, const Fog& fog, LampLeg lam
   return c;
 }
 
+TEST(Airlight, ReferenceEndsForARayAlongTheEdgeOfACone) {
+  constexpr double kHalfAngle = 0.002491032925258008;  // rounding puts some points of the edge inside, some outside
+  PlacedLight lamp{.direction = {std::sin(kHalfAngle), 0, -std::cos(kHalfAngle)}};
+  lamp.light.attenuation = {.constant = 1, .linear = 0, .quadratic = 0.1};
+  const Atmosphere air{.fog = {FogMode::exp, 0.1}};
+  const EyeRay ray{.origin = {0, 0, -0.01}, .direction = {0, 0, -1}, .length = 1};
+  const double most = reference_airlight(lamp, air, ray);
+  lamp.light.cone = Cone::cosine(kHalfAngle, 600);
+  const double found = reference_airlight(lamp, air, ray);
+  EXPECT_TRUE(found >= 0 && found <= most) << found;
+}
+
 TEST(Airlight, ReferenceOfConstantAttenuationIsItsClosedForm) {
   for (const double density : {1e-6, 0.01, 3.0, 1e6}) {
     for (const double length : {1e-3, 1.0, 200.0, kInfinity}) {
