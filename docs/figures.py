@@ -251,6 +251,15 @@ def fuzz():
 
 
 @figure
+def load():
+    row = read("epyc-load")[0]
+    times = [number(1000 * row[key]) for key in ("ms_per_step", "ms_99", "ms_worst")]
+    return table(["lights", "steps", "microseconds a step", "99 %", "worst", "worst over median", "MiB", "grown by"],
+                 [[f"{row['lights']:,.0f}", f"{row['steps']:,.0f}", *times, number(row["ms_worst"] / row["ms_per_step"]),
+                   number(row["resident_mib"]), number(row["grown_mib"])]], ("epyc-load", row))
+
+
+@figure
 def coverage():
     rows = [{**row, "folder": row["filename"].rpartition("/")[0]} for row in read("coverage")]
     return plain(["folder", "lines", "branches"], [[f"`{folder}`", *(
