@@ -251,6 +251,24 @@ def fuzz():
 
 
 @figure
+def load():
+    row = read("epyc-load")[0]
+    times = [number(1000 * row[key]) for key in ("ms_per_step", "ms_99", "ms_worst")]
+    return table(["lights", "steps", "microseconds a step", "99 %", "worst", "worst over median", "MiB", "grown by"],
+                 [[f"{row['lights']:,.0f}", f"{row['steps']:,.0f}", *times, number(row["ms_worst"] / row["ms_per_step"]),
+                   number(row["resident_mib"]), number(row["grown_mib"])]], ("epyc-load", row))
+
+
+@figure
+def coverage():
+    rows = [{**row, "folder": row["filename"].rpartition("/")[0]} for row in read("coverage")]
+    return plain(["folder", "lines", "branches"], [[f"`{folder}`", *(
+        f"{sum(row[f'{what}_covered'] for row in only(rows, folder=folder)):.0f} of "
+        f"{sum(row[f'{what}_total'] for row in only(rows, folder=folder)):.0f}" for what in ("line", "branch"))]
+        for folder in sorted({row["folder"] for row in rows})])
+
+
+@figure
 def mutants():
     rows = read("mutants")
     lines = []

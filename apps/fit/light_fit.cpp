@@ -89,8 +89,7 @@ void set_source_radius(Light& light, const LightTarget& target) {
     return;
   }
   if (quadratic == 0 || !target.range->samples.empty()) return;
-  constexpr double kRounding = 1e-15;
-  light.source_radius = std::min(unstated_source_radius(target), (1 - kRounding) * std::sqrt(constant / quadratic));
+  light.source_radius = std::min(unstated_source_radius(target), std::sqrt(constant / quadratic));
   if (find_error(light)) light.source_radius = 0;
 }
 

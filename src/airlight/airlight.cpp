@@ -93,7 +93,7 @@ long double integrate_axially(const Attenuation& narrow, const Fog& fog, double 
     return density * scattered *
            formulas::attenuation(range, attenuation.constant, attenuation.linear, attenuation.quadratic);
   };
-  const airlight_text::Bisection bisection(integrand, 1e-14L);
+  airlight_text::Bisection bisection(integrand, 1e-14L);
   long double sum = formulas::opacity(is_exp ? density * knee : density * knee * density * knee);
   const long double halved = level_range(attenuation, 1 / (2 * std::max(1.0L, attenuation.constant))).high;
   long double size = std::min(1 / density, halved - knee);

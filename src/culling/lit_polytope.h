@@ -143,7 +143,7 @@ bool is_within(const Corners& corners, const glm::dvec3& start, const Body& body
   glm::dvec3 apart = start - body.nearest_to(start);  // a difference of points of both bodies
   for (int step = 0; step < kMaxSteps; ++step) {
     const double distance = glm::length(apart);
-    if (distance <= margin + rounding) return true;
+    if (distance <= margin + rounding) break;
     // All differences lie beyond the plane across `apart` through this one.
     const glm::dvec3 corner =
         *std::ranges::min_element(corners, {}, [&](const glm::dvec3& each) { return glm::dot(each, apart); });

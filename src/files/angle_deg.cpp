@@ -11,15 +11,15 @@ namespace litfog::files {
 double degrees(double radians) {
   const double quotient = radians / std::numbers::pi * 180;
   constexpr int kMaxDigits = 17;
-  for (int digits = 1; digits <= kMaxDigits; ++digits) {
+  double rounded = 0;
+  int digits = 1;
+  do {
     std::array<char, 32> text;  // 17 digits, a sign, a point and an exponent
     char* const end =
         std::to_chars(text.data(), text.data() + text.size(), quotient, std::chars_format::scientific, digits - 1).ptr;
-    double rounded = 0;
     std::from_chars(text.data(), end, rounded);
-    if (files::radians(rounded) == radians) return rounded;
-  }
-  return quotient;
+  } while (files::radians(rounded) != radians && ++digits <= kMaxDigits);
+  return rounded;
 }
 
 std::string shown_degrees(double radians) { return shown_number(degrees(radians)); }

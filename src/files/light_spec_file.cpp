@@ -113,8 +113,8 @@ RangeSpec parse_range(const JsonValue& value) {
   if (const auto samples = value.optional("samples")) {
     for (const JsonValue& sample : samples->items()) {
       sample.allow_only({"range_m", "attenuation", "weight"});
-      range.samples.push_back(
-          {sample.member("range_m").number(), sample.member("attenuation").number(), sample.number_or("weight", 1)});
+      const double weight = sample.number_or("weight", 1);
+      range.samples.push_back({sample.member("range_m").number(), sample.member("attenuation").number(), weight});
     }
   }
   if (const auto family = value.optional("family")) {
@@ -235,7 +235,8 @@ std::string rule_in_degrees(std::string_view rule) {
   std::string result(rule);
   for (const auto& [radians, degrees] : {std::pair{"2 pi", "360"}, {"pi/2", "90"}, {"pi", "180"}}) {
     if (const auto at = result.find(radians); at != result.npos) {
-      return result.replace(at, std::string_view(radians).size(), degrees);
+      result.replace(at, std::string_view(radians).size(), degrees);
+      break;
     }
   }
   return result;

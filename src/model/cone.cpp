@@ -14,6 +14,16 @@ namespace litfog {
 
 using std::numbers::pi;
 
+namespace {
+
+/// The root t of t^2 (3 - 2 t) = level, 1/2 - sin(asin(1 - 2 level) / 3), without its cancellation; level <= 1/2.
+double smoothstep_root(double level) {
+  const double third = std::asin(std::sqrt(level)) / 3;
+  return 2 * std::cos(pi / 6 - third) * std::sin(third);
+}
+
+}  // namespace
+
 std::optional<ValueError> find_error(const Cone& cone) {
   using namespace cone_parameters;
   const auto error = [&cone](const ConeParameter& of) { return ValueError{of.field, cone.*of.member, of.rule}; };
@@ -64,10 +74,12 @@ double angle_at_level(const Cone& cone, double level) {
       if (cone.exponent == 0) return cutoff_angle(cone);
       return std::min(cutoff_angle(cone), angle_of_versine(-std::expm1(std::log(level) / cone.exponent)));
     case ConeProfile::smoothstep: {
-      const double t = 0.5 - std::sin(std::asin(1 - 2 * level) / 3);  // root of t^2 (3 - 2 t) = level
-      const double inner = versine(cone.inner);
-      const double outer = versine(cutoff_angle(cone));
-      return angle_of_versine(outer - t * (outer - inner));
+      // cos u is a part t of the inner cosine and the rest of the outer. No digit of the smaller part cancels.
+      const double least = smoothstep_root(std::min(level, 1 - level)), most = 1 - least;
+      const double t = level < 0.5 ? least : most, rest = level < 0.5 ? most : least;
+      const auto mean = [&](double inner, double outer) { return std::sqrt(t * inner * inner + rest * outer * outer); };
+      const double inner = cone.inner / 2, outer = cutoff_angle(cone) / 2;
+      return 2 * std::atan2(mean(std::sin(inner), std::sin(outer)), mean(std::cos(inner), std::cos(outer)));
     }
     case ConeProfile::none:
       break;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "float_limit.h"
 #include "require.h"
 
 namespace litfog {
@@ -24,7 +25,8 @@ std::optional<ValueError> find_source_radius_error(const Light& light) {
   if (light.source_radius == 0) return std::nullopt;
   if (light.attenuation.quadratic == 0) return wrong("must be 0 where attenuation.quadratic is 0");
   const double source = denominator_of_source(light);
-  if (!(source <= light.attenuation.constant)) return wrong("must be <= sqrt(attenuation.constant / quadratic)");
+  const bool is_too_large = !is_within(source, 0, light.attenuation.constant);
+  if (is_too_large) return wrong("must be <= sqrt(attenuation.constant / quadratic)");
   const bool is_in_range = std::isnormal(light.threshold * source) && std::isnormal(source) &&
                            std::isfinite(1 / (light.source_radius * light.source_radius)) &&
                            std::isfinite(light.attenuation.linear / source) &&

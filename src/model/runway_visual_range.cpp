@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "float_limit.h"
 #include "require.h"
 
 namespace litfog {
@@ -32,7 +33,7 @@ std::optional<ValueError> find_error(const RunwayLights& lights) {
 std::optional<ValueError> find_runway_visual_range_error(double metres, const RunwayLights& lights) {
   if (!(metres >= 0)) return ValueError{"runway_visual_range", metres, "must be >= 0"};
   const double reach = std::sqrt(lights.candela) / std::sqrt(lights.illuminance_threshold);
-  if (lights.candela > 0 && std::isfinite(metres) && metres > reach) {
+  if (lights.candela > 0 && std::isfinite(metres) && !is_within(metres, 0, reach)) {
     return ValueError{"runway_visual_range", metres,
                       "must be at most sqrt(candela / illuminance_threshold), where the lamps are last seen in clear "
                       "air"};

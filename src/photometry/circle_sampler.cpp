@@ -151,8 +151,8 @@ Circle CircleSampler::at(double angle) const {
   const double square = (squares + dark * pivot * pivot) / count - offset * offset;
   const double mean = std::max(0.0, pivot + offset);
   if (dark > 0) least = 0;
-  return {table_.unit * mean, table_.unit * std::max({0.0, mean - least, most - mean}),
-          table_.unit * std::sqrt(std::max(0.0, square))};
+  const double deviation = std::max({0.0, mean - least, most - mean}), rms = std::sqrt(std::max(0.0, square));
+  return {table_.unit * mean, table_.unit * deviation, table_.unit * rms};
 }
 
 }  // namespace litfog

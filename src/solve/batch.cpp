@@ -423,12 +423,13 @@ template <class D, class V = hn::Vec<D>>
 HWY_INLINE Peak<V> place_peak(D d, const Lanes<V>& in, V stationary) {
   constexpr double kMargin = sizeof(hn::TFromD<D>) == 4 ? 0 : kRoughness;
   const V one = hn::Set(d, 1);
-  const auto denominator_at = [&](double fraction) HWY_ATTR {
+  // The denominator without the constant, beside which the rise from a constant of almost 1 would round away.
+  const auto rise_at = [&](double fraction) HWY_ATTR {
     const V range = fraction == 1 ? stationary : hn::Mul(stationary, hn::Set(d, fraction));
-    return hn::MulAdd(hn::MulAdd(in.quadratic, range, in.linear), range, in.constant);
+    return hn::Mul(hn::MulAdd(in.quadratic, range, in.linear), range);
   };
-  const auto at_extent = hn::Ge(hn::Mul(denominator_at(1 + kMargin), in.threshold), one);
-  const auto at_knee = hn::And(hn::Le(denominator_at(1 - kMargin), one), hn::Lt(in.constant, one));
+  const auto at_extent = hn::Ge(hn::Mul(hn::Add(rise_at(1 + kMargin), in.constant), in.threshold), one);
+  const auto at_knee = hn::And(hn::Le(rise_at(1 - kMargin), hn::Sub(one, in.constant)), hn::Lt(in.constant, one));
   const auto at_level = hn::Or(at_extent, at_knee);
   const V level = hn::IfThenElse(at_extent, in.threshold, one);
   return {hn::IfThenElseZero(at_level, level), hn::IfThenElse(at_level, rough_level_range(d, in, level), stationary)};
@@ -510,14 +511,16 @@ HWY_INLINE hn::Mask<D> has_least_fall(D d, V fall) {
   return hn::Ge(fall, hn::Set(d, hn::TFromD<D>(0x1p-30)));
 }
 
-/// The lights that solve_peak holds for. Of those that are barely lit the denominator's digits cancel.
+/// The lights that solve_peak holds for. Of those that are barely lit the denominator's digits cancel; at a threshold
+/// next to 1 the knee and the extent are both within kRoughness of the stationary point.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_ordinary(D d, const Lanes<V>& in) {
   using T = hn::TFromD<D>;
   const auto is_safe_density =
       hn::And(hn::Ge(in.density, hn::Set(d, T(0x1p-17))), hn::Le(in.density, hn::Set(d, T(0x1p+10))));
+  const V least_excess = hn::Min(excess_of(d, in), hn::Sub(hn::Set(d, 1), in.threshold));
   return hn::And(is_safe(d, in, has_least_fall(d, hn::Add(in.linear, in.quadratic))),
-                 hn::And(hn::Ge(excess_of(d, in), hn::Set(d, T(0x1p-10))), is_safe_density));
+                 hn::And(hn::Ge(least_excess, hn::Set(d, T(0x1p-10))), is_safe_density));
 }
 
 /// The limit cases among the others: clear air, total fog, constant attenuation, dark lights. The peak range is NaN in

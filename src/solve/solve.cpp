@@ -86,17 +86,17 @@ Root find_sign_change(const SlopeAt& slope_at, Wide guess, Wide upper) {
   Wide low = 0;
   Wide high = upper;
   Wide x = std::min(guess, upper);
-  for (int step = 0; step < kMaxSteps; ++step) {
+  bool is_close = false;
+  for (int step = 0; step < kMaxSteps && !is_close; ++step) {
     const Slope slope = slope_at(x);
     (slope.value < 0 ? low : high) = x;
     const Wide move = 2 * slope.value * slope.first / (2 * slope.first * slope.first - slope.value * slope.second);
     Wide next = x - move;
     if (!(next > low && next < high) && next != x) next = low > 0 ? std::sqrt(low) * std::sqrt(high) : high / 2;
-    const bool is_close = std::abs(next - x) * (1 + x) <= Wide(1e-3) * x;
+    is_close = std::abs(next - x) * (1 + x) <= Wide(1e-3) * x;
     x = next;
-    if (is_close) return {x, SolveStatus::ok};
   }
-  return {x, SolveStatus::not_converged};
+  return {x, is_close ? SolveStatus::ok : SolveStatus::not_converged};
 }
 
 /// Where the derivative of opacity * 1/D vanishes, in x = d r; 0 where it is negative from the start (C = 0).

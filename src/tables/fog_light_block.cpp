@@ -60,11 +60,11 @@ FogHeader pack_fog_header(const Atmosphere& atmosphere, std::size_t instances) {
   const auto floats = [](const phase_text::PackedLobe<double>& lobe) {
     return glm::vec4(std::max(lobe.base, kLeastBase), lobe.slope, lobe.scale, lobe.alpha);
   };
-  FogHeader header{
-      .fog = {finite_float(fog.density), float(fog.mode), float(instances), float(atmosphere.albedo)},
-      .ambient_fog_color = glm::vec4(finite_floats(atmosphere.ambient_fog_color), float(atmosphere.profile.count)),
-      .phase_lobes = {floats(phase.first), floats(phase.second)},
-      .density_knots = {}};
+  const glm::vec3 ambient = finite_floats(atmosphere.ambient_fog_color);
+  FogHeader header{.fog = {finite_float(fog.density), float(fog.mode), float(instances), float(atmosphere.albedo)},
+                   .ambient_fog_color = glm::vec4(ambient, float(atmosphere.profile.count)),
+                   .phase_lobes = {floats(phase.first), floats(phase.second)},
+                   .density_knots = {}};
   const DensityProfileF profile = to_floats(atmosphere.profile);
   for (std::size_t i = 0; i < profile.count; ++i) {
     header.density_knots[i] = {profile.knots[i].height, profile.knots[i].density, 0.0f, 0.0f};

@@ -378,11 +378,9 @@ std::uint32_t FogUpdater::Store::find_or_add_kind(const PlacedLight& placed) {
     free_kinds_.pop_back();
     kinds_[index] = std::move(kind);
   }
-  kind_table_[index] =
-      unchecked::pack_fog_light_kind(placed, {.intensity = 0,
-                                              .peak_range = 0,
-                                              .extent = unchecked::compute_extent(light.attenuation, light.threshold),
-                                              .status = SolveStatus::ok});
+  const double extent = unchecked::compute_extent(light.attenuation, light.threshold);
+  kind_table_[index] = unchecked::pack_fog_light_kind(
+      placed, {.intensity = 0, .peak_range = 0, .extent = extent, .status = SolveStatus::ok});
   return index;
 }
 

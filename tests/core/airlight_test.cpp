@@ -25,6 +25,7 @@
 #include "core/value_errors.h"
 #include "litfog/solve.h"
 #include "reference/double_limits.h"
+#include "reference/near_numbers.h"
 #include "reference/random_airlight.h"
 #include "reference/reference_solver.h"
 #include "reference/ulp.h"
@@ -244,6 +245,19 @@ TEST(Airlight, AxialAirlightHasItsStatedErrorAgainst50Digits) {
   }
 }
 
+RC_GTEST_PROP(Airlight, BoundsHoldOfAxialAirlightAtKneesAndExtents, ()) {
+  const double constant = *near_one_of({0, 0.5, 1, 2, 19.9}), linear = *near_one_of({0, 1e-6, 0.1, 10});
+  const Attenuation a{constant, linear, *near_one_of({0, 1e-9, 0.01, 1})};
+  const double threshold = *near_one_of({0.05, 0.5, 1 / std::max(constant, 1.0), 1 - 1e-9});
+  RC_PRE(!find_error(a) && !find_threshold_error(threshold) && linear + a.quadratic > 1e-30);
+  const double knee = compute_knee(a), extent = compute_extent(a, threshold);
+  RC_PRE(extent > 0 && Digits50(constant) * threshold < 1);
+  const double density = *near_one_of({1 / std::max(knee, 1e-3), 1 / extent, 30 / extent, 1e-3});
+  const SolveCase c{a, {*rc::gen::element(FogMode::exp, FogMode::exp2), density}, threshold};
+  RC_LOG() << to_string(c);
+  RC_ASSERT(ulp_error(axial_airlight(a, c.fog, threshold), axial_reference(c)) <= kAxialAirlightMaxUlp);
+}
+
 TEST(Airlight, AxialAirlightIsNeverBelowTheIntensityNorAboveItsLimits) {
   Random random(63);
   for (int i = 0; i < 20000; ++i) {
@@ -377,6 +391,18 @@ AirlightCase looking(const Attenuation& attenuation, const Fog& fog, LampLeg lam
   c.ray.length = length;
   c.lamp_leg = lamp_leg;
   return c;
+}
+
+TEST(Airlight, ReferenceEndsForARayAlongTheEdgeOfACone) {
+  constexpr double kHalfAngle = 0.002491032925258008;  // rounding puts some points of the edge inside, some outside
+  PlacedLight lamp{.direction = {std::sin(kHalfAngle), 0, -std::cos(kHalfAngle)}};
+  lamp.light.attenuation = {.constant = 1, .linear = 0, .quadratic = 0.1};
+  const Atmosphere air{.fog = {FogMode::exp, 0.1}};
+  const EyeRay ray{.origin = {0, 0, -0.01}, .direction = {0, 0, -1}, .length = 1};
+  const double most = reference_airlight(lamp, air, ray);
+  lamp.light.cone = Cone::cosine(kHalfAngle, 600);
+  const double found = reference_airlight(lamp, air, ray);
+  EXPECT_TRUE(found >= 0 && found <= most) << found;
 }
 
 TEST(Airlight, ReferenceOfConstantAttenuationIsItsClosedForm) {

@@ -164,6 +164,31 @@ TEST_F(Batch, LightBarelyAboveItsThresholdIsNotDark) {
   });
 }
 
+/// Lights whose constant is 1 but for a rounding, and lights that end next to their knee. Their stationary points are
+/// near the knee.
+template <typename T>
+Columns<T> lights_next_to_one() {
+  Columns<T> columns;
+  Random random(kSeed);
+  while (columns.size() < 20'001) {
+    const bool ends_at_knee = random.chance(0.5);
+    const double constant = ends_at_knee ? 0.5 : 1 - (1 + random.below(8)) * std::numeric_limits<T>::epsilon() / 2;
+    const double threshold = ends_at_knee ? 1 - random.log_uniform(1e-7, 0.1) : 0.05;
+    const double linear = random.chance(0.2) ? 0 : random.log_uniform(1e-6, 1);
+    const double quadratic = linear > 0 && random.chance(0.5) ? 0 : random.log_uniform(1e-9, 1);
+    const double knee = compute_knee({constant, linear, quadratic});
+    columns.add(constant, linear, quadratic, threshold, random.log_uniform(0.5, 20) / knee);
+  }
+  return columns;
+}
+
+TEST_F(Batch, LightThatIsNextToOneAtItsConstantOrItsThresholdIsAsExact) {
+  on_every_target([] {
+    expect_accurate("next to 1", lights_next_to_one<float>());
+    expect_accurate("next to 1", lights_next_to_one<double>());
+  });
+}
+
 /// Ordinary lights in one fog mode with their solutions, rounded to float so that both precisions take the same.
 struct ReferenceLights {
   Columns<float> columns;

@@ -251,6 +251,23 @@ TEST(Cone, AngleAtALevelIsWhereTheConeFallsToIt) {
   error.check();
 }
 
+RC_GTEST_PROP(Cone, BoundsHoldOfAnglesAtLevelsNextToZeroAndOne, ()) {
+  const double level = *near_one_of({0, 1e-300, 1e-9, 0.5, 1 - 1e-9, 1 - 1e-15, 1});
+  RC_PRE(level > 0 && level < 1);
+  const double outer = *near_one_of({1e-3, pi / 2, pi}), inner = *rc::gen::element(0., 0.5 * outer, 0.999 * outer);
+  const Cone smoothstep = Cone::smoothstep(inner, std::min(outer, pi));
+  // With w = 1 - t and level = cos^2(a), w^2 (3 - 2 w) = 1 - level has the root w = 1/2 - cos(2 a / 3 + pi / 3).
+  const Digits50 whole = boost::math::constants::pi<Digits50>();
+  const Digits50 faded = Digits50(0.5) - cos((2 * acos(sqrt(Digits50(level))) + whole) / 3);
+  const Digits50 full = cos(Digits50(inner));
+  const Digits50 expected = acos(Digits50(full - faded * (full - cos(Digits50(smoothstep.outer)))));
+  RC_ASSERT(relative_error(angle_at_level(smoothstep, level), expected) <= kAngleAtLevelMaxError);
+  const double exponent = *near_one_of({0.5, 1, 8, 1000});
+  const Digits50 cosine = acos(Digits50(pow(Digits50(level), 1 / Digits50(exponent))));
+  RC_ASSERT(relative_error(angle_at_level(Cone::cosine(pi / 2, exponent), level), std::min<Digits50>(cosine, pi / 2)) <=
+            kAngleAtLevelMaxError);
+}
+
 TEST(Cone, AngleAtALevelAboveTheEdgeIsTheCutOff) {
   EXPECT_EQ(angle_at_level(Cone::cosine(0.5, 0), 0.5), 0.5);
   EXPECT_EQ(angle_at_level(Cone::cosine(0.5, -0.0), 0.5), 0.5);

@@ -11,7 +11,9 @@
 
 #include "litfog/attenuation.h"
 #include "litfog/visual_threshold.h"
+#include "reference/digits50.h"
 #include "reference/double_limits.h"
+#include "reference/near_numbers.h"
 #include "reference/random_light.h"
 
 namespace litfog::test {
@@ -119,6 +121,32 @@ TEST(Photometric, LawIsTheDiscsBesideTheLampAndTheLightsFarAway) {
   EXPECT_EQ(candela(light).r, kInfinity);
   light.source_radius = -1;
   EXPECT_THROW(photometric(light), std::invalid_argument);
+}
+
+RC_GTEST_PROP(Photometric, BoundsHoldAtTheLargestSourceRadiusAndTheBrightestThreshold, ()) {
+  Light light;
+  light.attenuation = {*near_one_of({1e-3, 0.5, 1, 19.9}), *near_one_of({0, 0.1, 1}), *near_one_of({1e-6, 0.01, 1, 3})};
+  const auto [c, l, q] = light.attenuation;
+  RC_PRE(!find_error(light) && (l == 0 || l > 1e-100));
+  const double largest = std::sqrt(c / q);
+  light.source_radius = *near_one_of({largest, 0.1, 1});
+  const Digits50 source = Digits50(q) * light.source_radius * light.source_radius;
+  light.threshold = *near_one_of({0.05, 0.5, 1 / double(source)});
+  RC_PRE(!find_threshold_error(light.threshold));
+  if (light.source_radius > largest * (1 + 1e-6)) {
+    RC_ASSERT_THROWS_AS(photometric(light), std::invalid_argument);
+    return;
+  }
+  const Light near = photometric(light);
+  RC_ASSERT(!find_error(near));
+  const Digits50 threshold = light.threshold * source;
+  RC_PRE(abs(threshold - 1) > kPhotometricMaxError);  // whose rounding decides
+  RC_ASSERT(near.attenuation.constant == 1);
+  RC_ASSERT(relative_error(near.attenuation.linear, Digits50(l / source)) <= kPhotometricMaxError);
+  RC_ASSERT(relative_error(near.attenuation.quadratic, Digits50(q / source)) <= kPhotometricMaxError);
+  const bool is_dark = threshold > 1;
+  RC_ASSERT(relative_error(near.color.r, is_dark ? Digits50(0) : Digits50(1 / source)) <= kPhotometricMaxError);
+  RC_ASSERT(is_dark || relative_error(near.threshold, threshold) <= kPhotometricMaxError);
 }
 
 TEST(Light, ErrorOfAPartIsTheLightsError) {

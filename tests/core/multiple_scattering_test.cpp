@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "reference/double_limits.h"
+#include "reference/near_numbers.h"
 #include "reference/random_light.h"
 #include "reference/ulp.h"
 #include "value_errors.h"
@@ -95,6 +96,16 @@ TEST(EffectiveIntensity, IsTheIntegral) {
   error.check();
 }
 
+RC_GTEST_PROP(EffectiveIntensity, BoundsHoldAtKneesAndWhereTheLawChangesItsPower, ()) {
+  const double constant = *near_one_of({0, 1e-9, 0.5, 1, 2}), linear = *near_one_of({0, 1e-3, 1});
+  const Attenuation a{constant, linear, *near_one_of({0, 1e-6, 1, linear * linear / 4 / std::max(constant, 1e-9)})};
+  RC_PRE(!find_error(a) && (linear == 0 || linear > 1e-9) && (a.quadratic == 0 || a.quadratic > 1e-13));
+  const double knee = compute_knee(a);
+  const double density = *near_one_of({1e-4, 1, knee > 0 && knee < kInfinity ? 1 / knee : 30});
+  RC_ASSERT(std::abs(effective_intensity(a, density) / double(integrated_intensity(a, density)) - 1) <=
+            kEffectiveIntensityMaxError);
+}
+
 TEST(EffectiveIntensity, InThinFogIsTheLampsOwn) {
   for (const double quadratic : {1e-4, 1.0, 300.0}) {
     EXPECT_NEAR(quadratic * effective_intensity({1, 0, quadratic}, 1e-9), 1, 1e-6);
@@ -146,6 +157,15 @@ TEST(ScatteredLight, PositionThatIsNoneIsNamed) {
   };
   EXPECT_EQ(refused({0, kNan, 0}).find("position.y = nan: "), 0u);
   EXPECT_EQ(refused({0, 0, kInfinity}).find("position.z = inf: "), 0u);
+}
+
+TEST(ScatteredLight, LightOrSurfaceThatIsNoneIsNamed) {
+  EXPECT_EQ(error_of([] { irradiance({.all = -1}, {0, 1, 0}); }), "all = -1: must be in [0, 1e100]");
+  EXPECT_EQ(error_of([] {
+              irradiance({.all = 1, .flow = {0, 2e100, 0}}, {0, 1, 0});
+            }),
+            "flow.y = 2e+100: must be at most 1e100 in magnitude");
+  EXPECT_EQ(error_of([] { irradiance({.all = 1}, {0, 2, 0}); }), "normal = 2: length must be 1 within 1e-6");
 }
 
 // The flow through a sphere around a point lamp is what has been scattered within it. What the two sides of a surface

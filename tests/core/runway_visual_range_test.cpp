@@ -11,6 +11,7 @@
 
 #include "core/value_errors.h"
 #include "reference/double_limits.h"
+#include "reference/near_numbers.h"
 #include "reference/random_light.h"
 #include "reference/ulp.h"
 
@@ -76,6 +77,17 @@ TEST(RunwayVisualRange, DensityIsExactAndComesBackAsItsRange) {
     const double reach = std::sqrt(lights.candela) / std::sqrt(lights.illuminance_threshold);
     return std::pair{reach * random.log_uniform(1e-100, 1 - 1e-12), lights};
   });
+}
+
+RC_GTEST_PROP(RunwayVisualRange, BoundsHoldWhereLampsAreLastSeenAndWhereMarkingsAreAsFar, ()) {
+  const RunwayLights lights{*near_one_of({100, 1000, 2500, 10'000}), *near_one_of({8e-7, 1e-5, 1e-4, 1e-3})};
+  const double reach = std::sqrt(lights.candela / lights.illuminance_threshold);
+  const double metres = *near_one_of({reach, reach * std::sqrt(kContrastMor), 550});
+  RC_PRE(metres < reach * (1 + 1e-7));
+  const FogMode mode = *rc::gen::element(FogMode::exp, FogMode::exp2);
+  const Fog fog = fog_from_runway_visual_range(mode, metres, lights);
+  RC_ASSERT(relative_error(fog.density, reference_density(mode, metres, lights)) <= kRunwayDensityMaxError);
+  RC_ASSERT(relative_error(runway_visual_range(fog, lights), metres) <= kRunwayRoundTripMaxError);
 }
 
 TEST(RunwayVisualRange, RangeIsThatOfLambertsW) {

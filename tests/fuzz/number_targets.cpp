@@ -157,6 +157,7 @@ void scatter_once(std::string_view bytes) {
     const bool is_shaped = random.chance(0.5);
     if (is_shaped) c.atmosphere.phase = draw_phase(random);
     draw_layers(random, c);
+    if (runs_along_edge(c)) return;
     expect_airlight(c, !is_shaped ? kAirlightMaxError
                        : is_point ? kShapedAirlightMaxError
                                   : kShapedConeAirlightMaxError);

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""mutants.py [COUNT]: which single wrong operators in the core's sources its tests find.
+"""mutants.py [COUNT [SEED]]: which single wrong operators in the core's sources its tests find.
 
-Takes COUNT operators, 100 by default and the same in each run, out of src/model, src/solve and src/airlight, puts a wrong
-one in the place of each in a copy of the tree (build-mutants/tree), and runs the core's tests. Prints the mutants and
-writes data/benchmarks/mutants.csv.
+Takes COUNT operators, 100 by default and the same in each run of a SEED, out of src/model, src/solve and src/airlight, puts
+a wrong one in the place of each in a copy of the tree (build-mutants/tree), and runs the core's tests. Prints the mutants
+and adds them to data/benchmarks/mutants.csv.
 """
 
 import csv
@@ -101,7 +101,7 @@ subprocess.run(["cmake", "-S", tree, "-B", build, "-G", "Ninja", "--log-level=NO
                 "-DLITFOG_BUILD_APPS=OFF", "-DLITFOG_BUILD_GL=OFF", "-DLITFOG_BUILD_TESTS=ON"], check=True)  # fmt: skip
 assert make(quiet=False)
 files = [path for folder in ("model", "solve", "airlight") for path in sorted((tree / "src" / folder).glob("*.cpp"))]
-choice = random.Random(44)
+choice = random.Random(int(sys.argv[2]) if len(sys.argv) > 2 else 44)
 mutants = [Mutant(path, site, choice.choice(wrong[site[2]]))
            for path, site in choice.sample([(path, site) for path in files for site in sites(path)], count)]  # fmt: skip
 for mutant in mutants:  # its own tests find most of them soon
@@ -116,8 +116,10 @@ for mutant in mutants:
             mutant.found = found_by(f"*-{own_tests(mutant.path)}", limit)
 
 print(f"{sum(bool(mutant.found) for mutant in mutants)} of {len(mutants)} found")
-with open(root / "data" / "benchmarks" / "mutants.csv", "w", encoding="utf-8", newline="") as file:
-    table = csv.writer(file, lineterminator="\n")
-    table.writerow(["file", "line", "operator", "mutant", "found_by"])
-    for mutant in mutants:
-        table.writerow([mutant.path.relative_to(tree), mutant.line, mutant.operator, mutant.text, mutant.found or ""])
+path = root / "data" / "benchmarks" / "mutants.csv"
+with open(path, encoding="utf-8", newline="") as file:
+    rows = {tuple(row[:4]): row[4] for row in csv.reader(file)}
+rows |= {(str(mutant.path.relative_to(tree)), str(mutant.line), mutant.operator, mutant.text): mutant.found or ""
+         for mutant in mutants}  # fmt: skip
+with open(path, "w", encoding="utf-8", newline="") as file:
+    csv.writer(file, lineterminator="\n").writerows([*key, found] for key, found in rows.items())

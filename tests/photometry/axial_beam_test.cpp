@@ -120,6 +120,11 @@ TEST(AxialProfile, PlaneOfATurnIsTheMeasuredOne) {
   for (const auto& [turn, intensity] : {std::pair{0.0, 900.0}, {pi / 2, 700}, {pi, 500}, {3 * pi / 2, 300}}) {
     EXPECT_NEAR(plane_profile(lamp, turn)[1].mean, intensity, 1e-9) << turn;
   }
+  const glm::dvec3 axis{0.6, 0, -0.8};
+  for (const AxialSample& sample : plane_profile(lamp, 1, axis)) {
+    const glm::dvec3 direction = luminaire_from_light(axis) * direction_of(PhotometryType::c, 1, sample.angle);
+    EXPECT_EQ(sample.mean, intensity_at(lamp, direction)) << sample.angle;
+  }
 }
 
 TEST(AxialProfile, ProfileAboutAnyAxisFollowsABeamAimedThere) {
