@@ -133,16 +133,16 @@ def frames():
 
 @figure
 def airlight_frames():
-    rows = only(read("llvmpipe-render"), path="unified", size="1280x720", samples=4, skip="on")
+    rows = read("llvmpipe-frames")
     lines = []
-    for scene in sorted({row["scene"] for row in rows}):
-        ratios = []
-        for lights in (2, 16):
-            by_airlight, by_peak = (one(rows, scene=scene, lights=lights, fog_light=light)["ms_per_frame"]
-                                    for light in ("airlight", "peak"))
-            ratios.append(f"{by_airlight / by_peak:.1f}")
-        lines.append([scene, *ratios])
-    return table(["scene", "2 lights", "16 lights"], lines, ("llvmpipe-render", rows[0]))
+    for single in only(rows, fog_light="single"):
+        by_all = one(rows, scene=single["scene"], phase=single["phase"], fog_light="all")
+        phase = f", {single['phase']}" if single["phase"] else ""
+        lines.append([single["scene"] + phase, number(single["lights"]), f"{single['ratio_to_peak']:.1f}",
+                      f"{by_all['ratio_to_peak']:.1f}", f"{by_all['ratio_to_single']:.1f}",
+                      number(by_all["max_error_255"]), number(by_all["mean_error_255"])])
+    return table(["scene", "lights", "single over peak", "all over peak", "all over single", "largest error, 1/255",
+                  "mean"], lines, ("llvmpipe-frames", rows[0]))
 
 
 @figure

@@ -161,7 +161,6 @@ Result measure_fit(bool quick);
 /// scene, path          path also: unlit, the base texture alone; plain, the rival (PlainRenderer), which skips nothing
 /// fog_light            peak: carried lights light the fog by their fog colour intensity; airlight (unified
 ///                      only): every light by its airlight
-/// phase                the fog's phase function: isotropic, g-0.85 or droplets; empty: the scene's
 /// lights, size         of the scene; WIDTHxHEIGHT in pixels
 /// samples              a pixel
 /// skip                 on or off: whether what cannot be visible is left out
@@ -180,6 +179,23 @@ Result measure_fit(bool quick);
 /// quick   one scene, small, few lights: to see that it works
 /// throws  gl::Unsupported where there is no OpenGL 3.3 through EGL
 Result measure_render(bool quick);
+
+/// Frame time beside error of every bundled scene with all its lamps, as litfog-demo draws it: in exp fog at the
+/// visibility that it suggests. Columns:
+///
+/// scene, phase     phase: isotropic or g-0.85; empty: the scene's
+/// lights           of the scene
+/// fog_light        peak: of carried lights the fog colour intensity; single: of every light the airlight that fog
+///                  scatters once; all: that of all orders
+/// ms_per_frame     wall time: the median over frames, each drawn and waited for, the three fog lights' interleaved
+/// ms_spread        from their 10th to their 90th percentile
+/// ratio_to_peak, ratio_to_single  of the medians
+/// bytes_uploaded   for a frame
+/// max_error_255, mean_error_255   of a picture of 32x18, as for render
+///
+/// quick   one scene, small: to see that it works
+/// throws  gl::Unsupported where there is no OpenGL 3.3 through EGL
+Result measure_frames(bool quick);
 
 /// Frame time and fragments shaded by each way to reject hidden fragments early (render::EarlyRejection; Jason Lacroix
 /// 2005, "Let There Be Light!", "Early rejection is key"): every bundled scene by `unified` and peak, with 2 and 16

@@ -76,10 +76,12 @@ render: in exp fog, headlights with 1 to 256 lights at 640x360 by every lighting
 also with airlight, by the base texture alone (unlit) and, as the rival, by a small forward renderer of one shader that
 loops over all lights and skips nothing (plain); with 1 to 16 lights also with nothing skipped, and with 2 at 1280x720.
 Every scene with 2 and 16 lights at 1280x720 by unified, legacy and plain, with 1 and 4 samples a pixel, with and
-without skipping; with 4 and skipping also with airlight. headlights, street and approach with 16 lights at 640x360 by
-airlight in isotropic fog, by g = 0.85 and of droplets of 10 micrometres (phase). Frames of all paths interleaved.
-Errors are those of the same picture at 80x45, by airlight at 32x18, against the path's own plain formulas, shaded in
+without skipping; with 4 and skipping also with airlight. Frames of all paths interleaved. Errors are those of the same picture at 80x45, by airlight at 32x18, against the path's own plain formulas, shaded in
 double. The picture has table 1 of Hales 2004.
+
+frames: every scene with all its lamps, as litfog-demo draws it, at 640x360: fog lit by peak, by the airlight that it
+scatters once (single), and by that of all orders (all), frames interleaved; headlights, street and approach also in
+isotropic fog and by g = 0.85 (phase). Errors as for render, at 32x18.
 
 rejection: every scene by unified and peak, 640x360, with 2 and 16 lights, 1 and 4 samples a pixel: surfaces by
 material (none), from the nearest to the farthest (front-to-back), or after a pass of depths alone (depth-pass), frames
@@ -96,9 +98,9 @@ frame-of-those: with the lights alone that the picture needs, all others of whic
 ratio_to_those: the one over the other; frame-airlight: the frame by airlight, with the first 100 to 1000 lamps in view;
 frame-flight: the flight with 10,000 lights.
 
-Times are processor time of one thread (render: wall time of a frame, drawn and waited for; city's frames: processor
+Times are processor time of one thread (render, frames: wall time of a frame, drawn and waited for; city's frames: processor
 time of all threads, a software rasteriser's included, and wall_ms): medians, with the spread from the 10th to the 90th
-percentile of the repetitions (solve, airlight, fit), steps (update) or frames (render). Errors ending in _255 are in
+percentile of the repetitions (solve, airlight, fit), steps (update) or frames (render, frames). Errors ending in _255 are in
 steps of an 8-bit colour channel.
 
 Examples:
@@ -149,6 +151,8 @@ const std::vector<Benchmark> kBenchmarks{
     {"fit", "time and quality of fits of an attenuation to a falloff table", fit},
     {"render", "frame time and error of every lighting path, over scenes, lights and sizes", draw<measure_render>,
      false, true},
+    {"frames", "frame time and error of every scene: fog lit by peak, by what it scatters once, and in all orders",
+     draw<measure_frames>},
     {"rejection", "frame time and fragments shaded by each way to reject hidden fragments early",
      draw<measure_rejection>},
     {"maps", "memory and error of Hales's light maps over their size", draw<measure_maps>},

@@ -31,11 +31,7 @@ struct Setting {
   render::Skipping skipping;
   int samples = 4;
   bool has_all_paths = true;  ///< else the default one, legacy and plain, and airlight where all else is as by default
-  std::string phase = {};     ///< one of kPhases, with the default path's airlight and legacy alone; empty: the scene's
 };
-
-const std::pair<std::string, Phase> kPhases[] = {
-    {"isotropic", {}}, {"g-0.85", Phase::henyey_greenstein(0.85)}, {"droplets", Phase::droplets(10)}};
 
 /// A path, and how its lamps light the fog; or the rival, PlainRenderer.
 struct Technique {
@@ -73,19 +69,13 @@ constexpr glm::ivec2 kAirlightErrorSize{32, 18};
 std::vector<Setting> settings(bool quick) {
   if (quick) {
     return {{"room", 2, 80, 45, render::Skipping::on},
-            {"room", 16, 80, 45, render::Skipping::on},
-            {"room", 2, 80, 45, render::Skipping::on, 4, false, "droplets"}};
+            {"room", 16, 80, 45, render::Skipping::on}};
   }
   std::vector<Setting> all;
   for (const std::size_t lights : {1u, 2u, 4u, 16u, 64u, 256u}) {
     all.push_back({kTableScene, lights, kTableWidth, kTableHeight, render::Skipping::on});
     // With more lights, the paths of several passes would take minutes a frame.
     if (lights <= 16) all.push_back({kTableScene, lights, kTableWidth, kTableHeight, render::Skipping::off});
-  }
-  for (const char* scene : {"headlights", "street", "approach"}) {
-    for (const auto& [phase, function] : kPhases) {
-      all.push_back({scene, 16, kTableWidth, kTableHeight, render::Skipping::on, 4, false, phase});
-    }
   }
   for (const std::string& scene : scene::bundled_scenes()) {
     for (const std::size_t lights : {2u, 16u}) {
@@ -119,7 +109,6 @@ std::vector<Technique> measured_techniques() {
 
 /// The techniques that a setting draws.
 std::vector<Technique> techniques_of(const Setting& setting) {
-  if (!setting.phase.empty()) return {{&default_path(), render::FogLighting::airlight}, legacy()};
   std::vector<Technique> techniques{{&default_path(), render::FogLighting::peak}, legacy(), kPlain};
   const bool is_as_by_default = setting.skipping == render::Skipping::on && setting.samples == 4;
   if (is_as_by_default) techniques.push_back({&default_path(), render::FogLighting::airlight});
@@ -134,10 +123,8 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
   const scene::Scene bundled = scene::read_scene(scene::bundled_scene_path(setting.scene));
   const scene::Scene scene = with_light_count(bundled, setting.lights);
   const scene::Scene two_lights = with_light_count(bundled, 2);
-  Atmosphere atmosphere = scene.atmosphere.with(Fog::from_visibility(FogMode::exp, scene::suggested_visibility(scene)));
-  for (const auto& [name, phase] : kPhases) {
-    if (name == setting.phase) atmosphere.phase = phase;
-  }
+  const Atmosphere atmosphere =
+      scene.atmosphere.with(Fog::from_visibility(FogMode::exp, scene::suggested_visibility(scene)));
   std::vector<std::unique_ptr<render::Renderer>> renderers;  // null: plain
   std::unique_ptr<PlainRenderer> plain;
   std::vector<measure::DrawFrame> in_turn;
@@ -196,12 +183,12 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
 /// Whether a trial is of the picture's scene and size: the first one's.
 bool is_shown(const Trial& trial, const std::vector<Trial>& trials) {
   const Setting& shown = trials.front().setting;
-  return trial.setting.scene == shown.scene && trial.setting.width == shown.width && trial.setting.phase.empty();
+  return trial.setting.scene == shown.scene && trial.setting.width == shown.width;
 }
 
 command::Table make_table(const std::vector<Trial>& trials) {
-  command::Table table{{"scene", "path", "fog_light", "phase", "lights", "size", "samples", "skip", "ms_per_frame",
-                        "ms_spread", "ratio_to_legacy", "ratio_to_two_light_legacy", "ratio_to_plain", "max_error_255",
+  command::Table table{{"scene", "path", "fog_light", "lights", "size", "samples", "skip", "ms_per_frame", "ms_spread",
+                        "ratio_to_legacy", "ratio_to_two_light_legacy", "ratio_to_plain", "max_error_255",
                         "mean_error_255", "excepted_pixels"},
                        {}};
   for (const Trial& trial : trials) {
@@ -212,7 +199,6 @@ command::Table make_table(const std::vector<Trial>& trials) {
     };
     table.rows.push_back(
         {setting.scene, trial.technique.path_name(), name_of(trial.technique.fog_lighting),
-         setting.phase.empty() ? command::Table::Cell(std::monostate{}) : command::Table::Cell(setting.phase),
          double(setting.lights), fmt::format("{}x{}", setting.width, setting.height), double(setting.samples),
          setting.skipping == render::Skipping::on ? "on" : "off", trial.times.median(), trial.times.spread(),
          trial.over_legacy, trial.over_two_light_legacy,

@@ -251,7 +251,7 @@ FrameCounts Renderer::draw_stages(const FrameExposures& exposures, LightPoints l
   sampler_states_.set();
   if (airlight_) airlight_->far.draw({width(), height()}, view, atmosphere_);
   if (airlight_ && airlight_->scattered) {
-    airlight_->scattered->draw({width(), height()}, view, airlight_->far, airlight_->higher_orders);
+    airlight_->scattered->draw({width(), height()}, view, atmosphere_, airlight_->far, airlight_->higher_orders);
   }
   clock.end(&StageTimes::airlight);
   framebuffer_.bind();

@@ -430,7 +430,7 @@ TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
   EXPECT_ERROR(run("speed"), kUsage,
                usage_message("benchmark = speed: must be one of "
-                             "solve|airlight|lamps|scattering|glow|update|load|fit|render|rejection|maps|city"));
+                             "solve|airlight|lamps|scattering|glow|update|load|fit|render|frames|rejection|maps|city"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);
@@ -445,10 +445,8 @@ TEST_F(BenchCommand, DebugBuildDoesNotMeasure) {
 
 #ifdef LITFOG_HAS_GL
 const std::vector<std::string> kRenderColumns{
-    "scene",          "path",          "fog_light",       "phase",
-    "lights",         "size",          "samples",         "skip",
-    "ms_per_frame",   "ms_spread",     "ratio_to_legacy", "ratio_to_two_light_legacy",
-    "ratio_to_plain", "max_error_255", "mean_error_255",  "excepted_pixels"};
+    "scene", "path", "fog_light", "lights", "size", "samples", "skip", "ms_per_frame", "ms_spread", "ratio_to_legacy",
+    "ratio_to_two_light_legacy", "ratio_to_plain", "max_error_255", "mean_error_255", "excepted_pixels"};
 
 TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
   expect_done("render --quick --json render.json --csv render.csv --plot render.png");
@@ -457,21 +455,11 @@ TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
   const Json& rows = document["rows"];
   expect_columns(rows, kRenderColumns);
   std::map<int, std::map<std::string, Json>> by_lights;
-  std::multiset<std::string> in_droplets;
   for (const Json& row : rows) {
-    if (row["phase"] == "droplets") {
-      in_droplets.insert(row["path"]);
-      if (row["path"] == "unified") {
-        EXPECT_LT(row["max_error_255"].get<double>(), 1) << row;
-      }
-      continue;
-    }
-    EXPECT_TRUE(row["phase"].is_null()) << row;
     const bool is_peak = row["fog_light"] == "peak";
     EXPECT_TRUE(is_peak || row["fog_light"] == "airlight") << row;
     by_lights[row["lights"].get<int>()][row["path"].get<std::string>() + (is_peak ? "" : " airlight")] = row;
   }
-  EXPECT_EQ(in_droplets, (std::multiset<std::string>{"unified", "legacy"}));
   ASSERT_EQ(by_lights.size(), 2u);
   for (auto& [lights, paths] : by_lights) {
     EXPECT_EQ(paths.size(), 13u);
@@ -495,6 +483,25 @@ TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
     EXPECT_LT(paths["unified airlight"]["max_error_255"].get<double>(), 1);
   }
   EXPECT_TRUE(std::filesystem::exists(directory() / "render.png"));
+}
+
+TEST_F(BenchMeasurement, FramesTimeSingleScatteringAndAllOrdersBesidePeak) {
+  expect_done("frames --quick --json frames.json");
+  const Json document = Json::parse(read("frames.json"));
+  expect_machine(document, true);
+  const Json& rows = document["rows"];
+  expect_columns(rows, {"scene", "phase", "lights", "fog_light", "ms_per_frame", "ms_spread", "ratio_to_peak",
+                        "ratio_to_single", "bytes_uploaded", "max_error_255", "mean_error_255"});
+  ASSERT_EQ(rows.size(), 3u);
+  const std::string fog_lights[] = {"peak", "single", "all"};
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    EXPECT_EQ(rows[i]["fog_light"], fog_lights[i]);
+    EXPECT_DOUBLE_EQ(rows[i]["ratio_to_peak"].get<double>(),
+                     rows[i]["ms_per_frame"].get<double>() / rows[0]["ms_per_frame"].get<double>());
+    EXPECT_DOUBLE_EQ(rows[i]["ratio_to_single"].get<double>(),
+                     rows[i]["ms_per_frame"].get<double>() / rows[1]["ms_per_frame"].get<double>());
+    EXPECT_LT(rows[i]["mean_error_255"].get<double>(), 0.5) << rows[i];
+  }
 }
 
 TEST_F(BenchMeasurement, RejectionShadesFewerFragmentsAfterAPassOfDepths) {

@@ -31,25 +31,25 @@ void ScatteredLight::set_size(glm::ivec3 size) {
   make_grid(flow_, size);
 }
 
-void ScatteredLight::draw(glm::ivec2 picture_size, const View& view, const FarAirlight& far,
-                          const HigherOrderTextures& higher_orders) {
+void ScatteredLight::draw(glm::ivec2 picture_size, const View& view, const Atmosphere& atmosphere,
+                          const FarAirlight& far, const HigherOrderTextures& higher_orders) {
   depth_ = higher_orders.is_empty() ? 0 : float(far.depth());
   picture_size_ = picture_size;
   if (depth_ == 0) return;
-  if (!program_) program_.emplace("whole_picture.vert", "airlight/scattered_light.frag", scene_shaders(false));
+  const gl::Program& program = programs_.program(atmosphere, {.profile = int(LITFOG_PROFILE_NONE)});
   pass_.begin();
-  program_->use();
-  bind_lights(*program_, fog_lights_);
-  PassTextures textures(*program_);
+  program.use();
+  bind_lights(program, fog_lights_);
+  PassTextures textures(program);
   const int lamps = far.bind_list(textures);
   set_size(lamps <= kFewLamps ? kFine : kCoarse);
-  set_uniform(*program_, "light_count", lamps);
+  set_uniform(program, "light_count", lamps);
   higher_orders.bind(textures);
-  set_uniform(*program_, "direction_from_clip", view.direction_from_clip);
-  set_uniform(*program_, "pixel_size", 2.0f / glm::vec2(size_));
-  set_uniform(*program_, "eye", view.eye);
-  set_uniform(*program_, "grid_depth", depth_);
-  set_uniform(*program_, "slice_count", size_.z);
+  set_uniform(program, "direction_from_clip", view.direction_from_clip);
+  set_uniform(program, "pixel_size", 2.0f / glm::vec2(size_));
+  set_uniform(program, "eye", view.eye);
+  set_uniform(program, "grid_depth", depth_);
+  set_uniform(program, "slice_count", size_.z);
   glBindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
   glViewport(0, 0, size_.x, size_.y);
   constexpr GLenum kTargets[] = {GL_COLOR_ATTACHMENT0, GL_COLOR_ATTACHMENT1};
@@ -58,7 +58,7 @@ void ScatteredLight::draw(glm::ivec2 picture_size, const View& view, const FarAi
     glFramebufferTextureLayer(GL_FRAMEBUFFER, kTargets[0], all_.id(), 0, slice);
     glFramebufferTextureLayer(GL_FRAMEBUFFER, kTargets[1], flow_.id(), 0, slice);
     if (slice == 0) check_float_framebuffer();
-    set_uniform(*program_, "slice", slice);
+    set_uniform(program, "slice", slice);
     glDrawArrays(GL_TRIANGLES, 0, 3);
   }
 }

@@ -7,11 +7,11 @@
 #include "litfog/shaders/multiple_scattering.glsl"
 
 uniform samplerBuffer scattering_sources;  // HigherOrders::sources
-const float point_beam = 0.0;              // HigherOrders::kPointBeam
+const bool is_point = profile == LITFOG_PROFILE_NONE;
 
 // M of a light over that of a point lamp, for what is scattered into the eye at a distance from it along the ray.
 float scattered_share(vec4 source, LitfogAirlight air, float seen) {
-  return source.y == point_beam ? 1.0 : litfog_beam_share(air, seen - air.approach, source.y, source.z);
+  return is_point ? 1.0 : litfog_beam_share(air, seen - air.approach, source.y, source.z);
 }
 
 // The peak that reaches the eye from what lies behind a distance before the closest approach to the lamp.
@@ -92,7 +92,7 @@ float higher_orders_peak(int light_index, LitfogAirlight air) {
   vec4 source = texelFetch(scattering_sources, light_index);
   float beyond = peak_beyond(air, air.approach);
   float at_end = end > first ? peak_beyond(air, end) : 0.0;
-  if (source.y == point_beam) return source.x * max(beyond - at_end, 0.0);
+  if (is_point) return source.x * max(beyond - at_end, 0.0);
   const int pieces = 4;
   float step = pow(max(end / air.approach, 1.0e-3), 1.0 / float(pieces));
   float sum = 0.0;

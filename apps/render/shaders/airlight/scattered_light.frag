@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The light that fog scatters to a texel of the grid of render::ScatteredLight, of all lamps.
 
+#include "generated/airlight_constants.glsl"
 #include "litfog/shaders/light_buffer.glsl"
 #include "litfog/shaders/layered_scattering.glsl"
 #include "litfog/shaders/multiple_scattering.glsl"
