@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "litfog/gl/headless_context.h"
+#include "litfog/multiple_scattering.h"
 #include "render/renderer.h"
 
 namespace litfog::drawing {
@@ -82,10 +83,17 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
   const render::FrameCounts& counts = drawn.statistics.counts;
   const render::LightCounts& lights = drawn.statistics.lights;
   const render::StageTimes& stages = drawn.statistics.times;
+  const render::RenderSettings settings = options.settings();
+  const Atmosphere air = options.atmosphere_of(scene, drawn.visibility);
+  const bool has_all_orders = settings.fog_lighting == render::FogLighting::airlight &&
+                              settings.scattering == render::Scattering::all && !find_scattering_error(air);
   Json stats{
       {"scene", scene.name},
       {"path", options.render.path->name},
-      {"fog_light", name_of(options.settings().fog_lighting)},
+      {"fog_light", name_of(settings.fog_lighting)},
+      {"scattering", has_all_orders ? "all" : "single"},
+      {"albedo", air.albedo},
+      {"layer_heights", air.profile.count},
       {"fog", options.fog ? name_of(*options.fog) : "none"},
       {"visibility_m", std::isinf(drawn.visibility) ? Json("inf") : Json(drawn.visibility)},
       {"size", {options.width, options.height}},

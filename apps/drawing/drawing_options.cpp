@@ -139,7 +139,9 @@ Atmosphere DrawingOptions::atmosphere_of(const scene::Scene& scene, double metre
     command::fail_option("--fog", "exp2", "must be exp where the air has layers: --layers none draws it without");
   }
   if (const auto error = find_scattering_error(air); error && scattering == render::Scattering::all) {
-    command::fail_option("--scattering", "all", fmt::format("{} {}", error->field, error->rule));
+    const std::string_view field = error->field;
+    const char* const option = field == "fog.mode" ? "--fog" : field == "albedo" ? "--albedo" : "--phase";
+    command::fail_option("--scattering", "all", fmt::format("{} {}", option, error->rule));
   }
   return air;
 }
@@ -257,8 +259,12 @@ std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& opti
   const bool has_range = options.runway_visual_range.has_value();
   return {{"--fog none",
            !options.fog,
-           {"--visibility", "--contrast", "--rvr", "--layers", "--phase", "--phase-g", "--albedo"},
+           {"--visibility", "--contrast", "--rvr", "--layers", "--phase", "--phase-g", "--albedo", "--scattering"},
            "the air is clear"},
+          {"--fog exp2",
+           options.fog == FogMode::exp2 && options.scattering == render::Scattering::all,
+           {"--scattering"},
+           "only exp fog has all orders"},
           {"--rvr", has_range, {"--visibility", "--contrast"}, "lamps and threshold give its meaning"},
           {options.visibility ? "--visibility" : "the scene's visibility",
            !has_range,

@@ -204,6 +204,7 @@ TEST_F(DemoCommand, StatisticsStateWhatWasDrawn) {
   EXPECT_EQ(stats["scene"], "approach");
   EXPECT_EQ(stats["path"], "unified");
   EXPECT_EQ(stats["fog"], "exp2");
+  EXPECT_EQ(stats["scattering"], "single");
   EXPECT_EQ(stats["visibility_m"], 200);
   EXPECT_EQ(stats["frames"], 3);
   EXPECT_EQ(stats["samples"], 4);
@@ -656,6 +657,16 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
   }
   expect_usage("room --fog none --visibility 50", "--visibility cannot be given with --fog none: the air is clear");
   expect_usage("room --fog none --rvr 550", "--rvr cannot be given with --fog none: the air is clear");
+  expect_usage("room --fog none --scattering all", "--scattering cannot be given with --fog none: the air is clear");
+  for (const char* command : {"room", "gallery room -o out"}) {
+    expect_usage(std::string(command) + " --fog exp2 --scattering all",
+                 "--scattering cannot be given with --fog exp2: only exp fog has all orders");
+  }
+  expect_usage("room --albedo 0.9 --scattering all",
+               "--scattering = all: --albedo must be 1 for all orders of scattering");
+  expect_usage("room --phase hg:0.97 --scattering all",
+               "--scattering = all: --phase must be of one lobe with alpha 0 and g in [0, 0.95], or of droplets, for "
+               "all orders of scattering");
   expect_usage("room --rvr 550 --visibility 50",
                "--visibility cannot be given with --rvr: lamps and threshold give its meaning");
   expect_usage("room --lamp-cd 5", "--lamp-cd cannot be given with the scene's visibility: only --rvr depends on them");
