@@ -395,7 +395,8 @@ AirlightCase looking(const Attenuation& attenuation, const Fog& fog, LampLeg lam
 
 TEST(Airlight, ReferenceEndsForARayAlongTheEdgeOfACone) {
   constexpr double kHalfAngle = 0.002491032925258008;  // rounding puts some points of the edge inside, some outside
-  PlacedLight lamp{.direction = {std::sin(kHalfAngle), 0, -std::cos(kHalfAngle)}};
+  PlacedLight lamp;
+  lamp.direction = {std::sin(kHalfAngle), 0, -std::cos(kHalfAngle)};
   lamp.light.attenuation = {.constant = 1, .linear = 0, .quadratic = 0.1};
   const Atmosphere air{.fog = {FogMode::exp, 0.1}};
   const EyeRay ray{.origin = {0, 0, -0.01}, .direction = {0, 0, -1}, .length = 1};

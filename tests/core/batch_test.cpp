@@ -172,7 +172,7 @@ Columns<T> lights_next_to_one() {
   Random random(kSeed);
   while (columns.size() < 20'001) {
     const bool ends_at_knee = random.chance(0.5);
-    const double constant = ends_at_knee ? 0.5 : 1 - (1 + random.below(8)) * std::numeric_limits<T>::epsilon() / 2;
+    const double constant = ends_at_knee ? 0.5 : 1 - double(1 + random.below(8)) * double(std::numeric_limits<T>::epsilon()) / 2;
     const double threshold = ends_at_knee ? 1 - random.log_uniform(1e-7, 0.1) : 0.05;
     const double linear = random.chance(0.2) ? 0 : random.log_uniform(1e-6, 1);
     const double quadratic = linear > 0 && random.chance(0.5) ? 0 : random.log_uniform(1e-9, 1);
