@@ -191,7 +191,7 @@ Result measure_render(bool quick);
 /// ms_spread        from their 10th to their 90th percentile
 /// ratio_to_peak, ratio_to_single  of the medians
 /// bytes_uploaded   for a frame
-/// max_error_255, mean_error_255   of a picture of 32x18, as for render
+/// max_error_255, mean_error_255   of a picture of 16x9, as for render
 ///
 /// quick   one scene, small: to see that it works
 /// throws  gl::Unsupported where there is no OpenGL 3.3 through EGL

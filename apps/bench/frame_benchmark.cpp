@@ -31,7 +31,7 @@ struct Setting {
 };
 
 constexpr glm::ivec2 kSize{640, 360}, kQuickSize{80, 45};
-constexpr glm::ivec2 kErrorSize{32, 18};  ///< the reference integrates the airlight of each lamp to 1e-10
+constexpr glm::ivec2 kErrorSize{16, 9};  ///< the reference integrates the airlight of each lamp to 1e-10
 
 std::vector<Setting> settings(bool quick) {
   std::vector<Setting> all;

@@ -81,7 +81,7 @@ double. The picture has table 1 of Hales 2004.
 
 frames: every scene with all its lamps, as litfog-demo draws it, at 640x360: fog lit by peak, by the airlight that it
 scatters once (single), and by that of all orders (all), frames interleaved; headlights, street and approach also in
-isotropic fog and by g = 0.85 (phase). Errors as for render, at 32x18.
+isotropic fog and by g = 0.85 (phase). Errors as for render, at 16x9.
 
 rejection: every scene by unified and peak, 640x360, with 2 and 16 lights, 1 and 4 samples a pixel: surfaces by
 material (none), from the nearest to the farthest (front-to-back), or after a pass of depths alone (depth-pass), frames
