@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "litfog/phase.h"
@@ -28,7 +29,10 @@ class RadialScattering {
   /// fineness  of the nodes; 1 is the usual one
   explicit RadialScattering(double fineness = 1);
 
-  /// M in a direction from a point, in the unit of airlight(), for a lamp with a(r) = 1 / r^2 and r in depths.
+  /// a(r) r^2 of a lamp at a depth from it; empty: 1.
+  using Law = std::function<double(double)>;
+
+  /// M in a direction from a point, in the unit of airlight(), for a lamp with a law, r in depths.
   class Glow {
    public:
     /// depth  from lamp to eye, [0.001, 30]
@@ -44,7 +48,7 @@ class RadialScattering {
   /// The result refers to this object.
   ///
   /// throws  std::runtime_error where the system does not converge
-  Glow solve(const Phase& phase) const;
+  Glow solve(const Phase& phase, const Law& law = {}) const;
 
  private:
   /// A point of a ray as its weights of 4 x 4 nodes.
