@@ -36,8 +36,8 @@ HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> co
     return beam_of_cone.emplace_back(cone, add(beam_moments(cone))).second;
   };
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    const double intensity = source_intensity(lights.lights()[i].light, atmosphere);
-    sources.emplace_back(intensity, beam_of(i), mean_cosine(atmosphere.phase), 0);
+    const ScatteringSource source = scattering_source(lights.lights()[i].light, atmosphere);
+    sources.emplace_back(source.intensity, beam_of(i), source.phase_cosine, source.soft_range);
   }
 }
 
