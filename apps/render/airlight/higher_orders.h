@@ -29,11 +29,17 @@ struct HigherOrders {
   static constexpr int kPointBeam = 0;  ///< that of point lamps
 
   HigherOrders() = default;
-  HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere);
+  /// last  of which it takes what the phase function alone decides, where that is the same; otherwise that takes 10 ms
+  HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere,
+               const HigherOrders& last = {});
 
   PointGlow of(std::size_t light) const {
     return table ? PointGlow{&*table, double(sources[light].x), double(sources[light].w)} : PointGlow{};
   }
+
+ private:
+  Phase phase_;
+  ThinBeams thin_;
 };
 
 /// Holds them for shaders. Needs a current GL context.
