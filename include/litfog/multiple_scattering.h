@@ -20,7 +20,7 @@ namespace litfog {
 // 0.95, or of droplets; no ground and no wall takes part in it. Light leaves layers of fog above and below. Fog below
 // the lowest knot of a profile goes on: a layer that begins at the ground is one over a dark ground.
 
-inline constexpr int kScatteringDepths = 45;  ///< from 0.02 to 10
+inline constexpr int kScatteringDepths = 61;  ///< from 0.02 to 30
 inline constexpr int kScatteringAngles = 69;  ///< from 0.2 to 180 degrees
 
 /// M of a point lamp for a phase function: the natural logarithm of M / (I d^2) for the attenuation I / r^2 in endless
@@ -44,7 +44,7 @@ ScatteringTable make_scattering_table(const Atmosphere& atmosphere);
 
 /// M / (I d^2) of a table, between its numbers.
 ///
-/// depth  optical, >= 0; below 0.02 it counts as that, and beyond 10 the light falls by 1 / depth, as diffusion has it
+/// depth  optical, >= 0; below 0.02 it counts as that, and beyond 30 the light falls by 1 / depth, as diffusion has it
 /// angle  radians, [0, pi]; below 0.2 degrees it counts as that
 double scattered_at(const ScatteringTable& table, double depth, double angle);
 
@@ -116,6 +116,10 @@ ScatteringSource scattering_source(const Light& light, const BeamMoments& shape,
 inline constexpr double kScatteringMedianError = 0.003;
 inline constexpr double kScatteringTypicalError = 0.02;
 inline constexpr double kScatteringMaxError = 0.2;
+
+/// The same at depths of 10 to 30; the largest error is kScatteringMaxError there, too.
+inline constexpr double kFarScatteringMedianError = 0.01;
+inline constexpr double kFarScatteringTypicalError = 0.08;
 
 /// The same of a point lamp with another law, at depths of up to 10: one that leaves 1 / r^2 within 0.01 to 30 mean free
 /// paths.

@@ -390,7 +390,7 @@ LITFOG_API litfog_status litfog_directional_fog_factor(const litfog_atmosphere* 
 
 // --- all orders of scattering (litfog/multiple_scattering.h) ---
 
-#define LITFOG_SCATTERING_DEPTHS 45
+#define LITFOG_SCATTERING_DEPTHS 61
 #define LITFOG_SCATTERING_ANGLES 69
 #define LITFOG_BEAM_ORDERS 48
 #define LITFOG_BEAM_DEPTHS 16

@@ -26,7 +26,7 @@ layout(set = LITFOG_SET, binding = LITFOG_SCATTERING_BINDING)
 uniform highp sampler2D litfog_scattering_table;
 
 float litfog_scattering_log(float depth, float angle) {
-  return textureLod(litfog_scattering_table, (vec2(angle, depth) + 0.5) / vec2(69.0, 45.0), 0.0).r;
+  return textureLod(litfog_scattering_table, (vec2(angle, depth) + 0.5) / vec2(69.0, 61.0), 0.0).r;
 }
 
 struct LitfogScatteredBeam {
@@ -59,12 +59,12 @@ LitfogScatteredBeam litfog_scattered_beam(float beam, float depth, float angle) 
 #define LITFOG_CONSTANT const
 #endif
 
-// The table's depths x go by equal steps of ln x + 0.3 x, its angles x in radians by equal steps of ln x + x / 2. These
+// The table's depths x go by equal steps of ln x + x / 5, its angles x in radians by equal steps of ln x + x / 2. These
 // are the first of each, its logarithm's place and the step.
 LITFOG_CONSTANT LITFOG_REAL litfog_least_scattering_depth = LITFOG_REAL(0.02);
-LITFOG_CONSTANT LITFOG_REAL litfog_most_scattering_depth = LITFOG_REAL(10.0);
-LITFOG_CONSTANT LITFOG_REAL litfog_first_scattering_depth = LITFOG_REAL(-3.906023005428146);
-LITFOG_CONSTANT LITFOG_REAL litfog_scattering_depth_step = LITFOG_REAL(0.2092865476914135);
+LITFOG_CONSTANT LITFOG_REAL litfog_most_scattering_depth = LITFOG_REAL(30.0);
+LITFOG_CONSTANT LITFOG_REAL litfog_first_scattering_depth = LITFOG_REAL(-3.908023005428146);
+LITFOG_CONSTANT LITFOG_REAL litfog_scattering_depth_step = LITFOG_REAL(0.2218203397848384);
 LITFOG_CONSTANT LITFOG_REAL litfog_least_scattering_angle = LITFOG_REAL(0.00349065850399);  // 0.2 degrees
 LITFOG_CONSTANT LITFOG_REAL litfog_first_scattering_angle = LITFOG_REAL(-5.655919548222917);
 LITFOG_CONSTANT LITFOG_REAL litfog_scattering_angle_step = LITFOG_REAL(0.1231094964833414);
@@ -95,7 +95,7 @@ LITFOG_CONSTANT LITFOG_REAL litfog_softening_flow = LITFOG_REAL(1.1);
 LITFOG_REAL litfog_scattered_at(LITFOG_REAL depth, LITFOG_REAL angle) {
   LITFOG_REAL x = clamp(depth, litfog_least_scattering_depth, litfog_most_scattering_depth);
   LITFOG_REAL y = max(angle, litfog_least_scattering_angle);
-  LITFOG_REAL row = (log(x) + LITFOG_REAL(0.3) * x - litfog_first_scattering_depth) / litfog_scattering_depth_step;
+  LITFOG_REAL row = (log(x) + LITFOG_REAL(0.2) * x - litfog_first_scattering_depth) / litfog_scattering_depth_step;
   LITFOG_REAL column = (log(y) + LITFOG_REAL(0.5) * y - litfog_first_scattering_angle) / litfog_scattering_angle_step;
   return exp(litfog_scattering_log(row, column)) * (x / max(depth, x));
 }
