@@ -55,8 +55,7 @@ struct Lamp {
       methods.push_back({name, {.name = title, .style = style, .color = color}, std::move(glow)});
     };
     using enum command::SeriesStyle;
-    ScatteringSource source;
-    source.intensity = source_intensity(light.light, air);
+    const ScatteringSource source = scattering_source(light.light, air);
     const double tau = depth, mean_cosine = litfog::mean_cosine(air.phase);
     const auto once = [lamp = light, fog = air](double angle) {
       return kQuadratic * airlight(lamp, fog, ray_beside(angle));

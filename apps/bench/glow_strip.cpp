@@ -65,8 +65,7 @@ std::string draw_glow_strip(bool quick) {
     progress.show(fmt::format("the strip at a visibility of {} m", kVisibilities[column]));
     air.fog = Fog::from_visibility(FogMode::exp, kVisibilities[column]);
     const PlacedLight lamp = lamp_ahead(kRange);
-    ScatteringSource source;
-    source.intensity = source_intensity(lamp.light, air);
+    const ScatteringSource source = scattering_source(lamp.light, air);
     const double depth = air.fog.density * kRange;
     const double disc = std::atan(kLampPixels * std::tan(kHalfView) / (width / 2.));
     // The light that no fog took, spread over the disc.

@@ -175,7 +175,7 @@ Numbers RadialScattering::redistribution(const Phase& phase) const {
   return matrix;
 }
 
-RadialScattering::Glow RadialScattering::solve(const Phase& phase) const {
+RadialScattering::Glow RadialScattering::solve(const Phase& phase, const Law& law) const {
   const std::size_t angles = angle_.size(), depths = log_depth_.size(), count = angles * depths;
   const Numbers matrix = redistribution(phase);
   // Light times the sine of its angle, scattered, times the depth.
@@ -215,9 +215,10 @@ RadialScattering::Glow RadialScattering::solve(const Phase& phase) const {
             at = std::clamp(at, angle, pi);
           }
           const double legs = depth * (std::sin(angle) + std::sin(at - angle)) / std::sin(at);
+          const double weakened = law ? law(depth * std::sin(angle) / std::sin(at)) : 1;
           const double half = std::sin(at / 2);
           sum += weight * (end - begin) / panels / (1 / std::hypot(kSharpAngle, at) + 1) *
-                 phase_at(phase, 1 - 2 * half * half) * std::exp(-legs);
+                 weakened * phase_at(phase, 1 - 2 * half * half) * std::exp(-legs);
         }
       }
       single[row * angles + i] = sum / depth;

@@ -3,15 +3,16 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <vector>
 
 #include "litfog/phase.h"
 
 namespace litfog::measure {
 
-/// Largest relative error of RadialScattering's glow at depths of 0.02 to 10 and angles of 0.2 to 180 degrees, for
+/// Largest relative error of RadialScattering's glow at depths of 0.02 to 30 and angles of 0.2 to 180 degrees, for
 /// |g| <= 0.95 or Phase::droplets(): what `litfog-bench scattering` holds it to.
-inline constexpr double kRadialScatteringMaxError = 0.002;
+inline constexpr double kRadialScatteringMaxError = 0.003;
 
 /// All orders of scattering of a point lamp in endless uniform fog of albedo 1 by discretisation, without chance: the
 /// symmetry about the lamp leaves two variables, the depth from the lamp and the angle from the direction to it. The
@@ -28,7 +29,10 @@ class RadialScattering {
   /// fineness  of the nodes; 1 is the usual one
   explicit RadialScattering(double fineness = 1);
 
-  /// M in a direction from a point, in the unit of airlight(), for a lamp with a(r) = 1 / r^2 and r in depths.
+  /// a(r) r^2 of a lamp at a depth from it; empty: 1.
+  using Law = std::function<double(double)>;
+
+  /// M in a direction from a point, in the unit of airlight(), for a lamp with a law, r in depths.
   class Glow {
    public:
     /// depth  from lamp to eye, [0.001, 30]
@@ -44,7 +48,7 @@ class RadialScattering {
   /// The result refers to this object.
   ///
   /// throws  std::runtime_error where the system does not converge
-  Glow solve(const Phase& phase) const;
+  Glow solve(const Phase& phase, const Law& law = {}) const;
 
  private:
   /// A point of a ray as its weights of 4 x 4 nodes.

@@ -42,6 +42,10 @@ struct Phase {
   friend bool operator==(const Phase&, const Phase&) = default;
 };
 
+/// Diameter of the droplets that have a phase function, micrometres; none where it differs from that of all droplets by
+/// more than 1e-6 in a parameter, relatively.
+std::optional<double> droplet_diameter(const Phase& phase);
+
 /// What is wrong with a phase function, or nothing. The functions below take those with which nothing is.
 std::optional<ValueError> find_error(const Phase& phase);
 

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "litfog/atmosphere.h"
 #include "litfog/cone.h"
+#include "litfog/value_error.h"
 
 namespace litfog {
 
@@ -40,6 +42,9 @@ struct ThinBeams {
   };
   std::array<Row, kBeamDepths> rows;
 };
+
+/// What is wrong with thin beams, or nothing: moments are at most 1000 in magnitude, `forward` is in (0, 1].
+std::optional<ValueError> find_error(const ThinBeams& beams);
 
 /// table   that of the atmosphere
 /// throws  std::invalid_argument naming field, value and rule

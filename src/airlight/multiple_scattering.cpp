@@ -49,22 +49,6 @@ std::span<const Row> rows_of(char kind) {
   return {first, std::ranges::find_if_not(first, std::end(kRows), is_kind)};
 }
 
-/// Diameter of the droplets that have a phase function, by bisection; 0: none have it.
-double droplets_of(const Phase& phase) {
-  double low = kSmallestDroplets, high = kLargestDroplets;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (low + high) / 2;
-    (Phase::droplets(middle).second.asymmetry < phase.second.asymmetry ? low : high) = middle;
-  }
-  const Phase found = Phase::droplets(low);
-  const auto is_near = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); };
-  return is_near(phase.first.asymmetry, found.first.asymmetry) && is_near(phase.first.alpha, found.first.alpha) &&
-                 is_near(phase.second.asymmetry, found.second.asymmetry) && phase.second.alpha == 0 &&
-                 is_near(phase.weight, found.weight)
-             ? low
-             : 0;
-}
-
 /// Where a phase function lies among those of the tables.
 struct PhasePlace {
   std::span<const Row> rows;  // empty: nowhere
@@ -78,8 +62,8 @@ PhasePlace place(const Phase& phase) {
     const double asymmetry = phase.first.asymmetry;
     return {asymmetry >= 0 && asymmetry <= rows.back().parameter() ? rows : std::span<const Row>(), asymmetry};
   }
-  const double diameter = droplets_of(phase);
-  return {diameter > 0 ? rows_of('d') : std::span<const Row>(), diameter};
+  const std::optional<double> diameter = droplet_diameter(phase);
+  return {diameter ? rows_of('d') : std::span<const Row>(), diameter.value_or(0)};
 }
 
 /// In which tables are interpolated.
@@ -182,41 +166,58 @@ IntensityRule make_intensity_rule() {
   return rule;
 }
 
-/// The integral of x^2 e^-x from 0 on.
-double integrate_plateau(double end) {
-  if (end > 1) return 2 - exp(-end) * (end * (end + 2) + 2);
-  double term = end * end * end * exp(-end) / 3, sum = 0;
-  for (int n = 4; n < 16; ++n) {
+/// The integral of x^power e^-x from 0 on: the lower incomplete gamma function, by its series.
+double integrate_plateau(double power, double end) {
+  constexpr double kWhole = 60;  // from where on the rest is below 1e-20
+  if (end > kWhole) return std::tgamma(power + 1);
+  double term = std::pow(end, power + 1) * exp(-end) / (power + 1), sum = 0;
+  for (double n = power + 2; term > 1e-17 * sum; ++n) {
     sum += term;
     term *= end / n;
   }
   return sum;
 }
 
-/// effective_intensity(): with the depth k of the knee and x = k + y = d r,
-///   (1 / d^2) integral of x^2 e^-x from 0 to k  +  e^-k integral of e^-y / ((C / r + L) / r + Q) over y > 0.
-/// It takes 35 ns without a knee and 80 with one, by AVX2 as by SSE2: divisions take it.
-double integrate_intensity(const Attenuation& attenuation, double density) {
+/// effective_intensity() times the mean of a power of the depth x = d r, where all that light is scattered for the
+/// first time: with the depth k of the knee and x = k + y,
+///   (1 / d^2) integral of x^(2 + power) e^-x from 0 to k
+///     +  e^-k integral of (k + y)^power e^-y / ((C / r + L) / r + Q) over y > 0.
+/// The intensity, power 0, takes 35 ns without a knee and 80 with one, by AVX2 as by SSE2: divisions take it.
+template <typename Power>
+double integrate_law(const Attenuation& attenuation, double density, double power, const Power& raised) {
   static const IntensityRule rule = make_intensity_rule();
   density = std::clamp(density, kThinnest, kThickest);
   constexpr double kDarkDepth = 700;
   const bool has_knee = attenuation.constant < 1;
   const double knee = has_knee ? min(density * unchecked::compute_extent(attenuation, 1), kDarkDepth) : 0;
-  const auto sum_over = [&](const auto& inverse_range) {
+  const auto sum_over = [&](const auto& inverse_depth) {
     double sums[4] = {};  // which compilers turn into vectors
     for (std::size_t i = 0; i < kNodes; i += 4) {
       for (std::size_t j = 0; j < 4; ++j) {
-        const double inverse = inverse_range(i + j);
-        sums[j] += rule.weights[i + j] /
+        const double of_depth = inverse_depth(i + j), inverse = density * of_depth;
+        sums[j] += rule.weights[i + j] * raised(of_depth) /
                    ((attenuation.constant * inverse + attenuation.linear) * inverse + attenuation.quadratic);
       }
     }
     return (sums[0] + sums[1]) + (sums[2] + sums[3]);
   };
-  if (!has_knee) return sum_over([&](std::size_t i) { return density * rule.inverses[i]; });
-  const double plateau = integrate_plateau(knee) / (density * density);
+  if (!has_knee) return sum_over([&](std::size_t i) { return rule.inverses[i]; });
+  const double plateau = integrate_plateau(2 + power, knee) / (density * density);
   if (knee == kDarkDepth) return plateau;
-  return plateau + exp(-knee) * sum_over([&](std::size_t i) { return density / (knee + rule.depths[i]); });
+  return plateau + exp(-knee) * sum_over([&](std::size_t i) { return 1 / (knee + rule.depths[i]); });
+}
+
+double integrate_intensity(const Attenuation& attenuation, double density) {
+  return integrate_law(attenuation, density, 0, [](double) { return 1.0; });
+}
+
+double solve_soft_range(const Attenuation& attenuation, double density, const Phase& phase) {
+  if (!(density > kThinnest) || std::isinf(density)) return 0;
+  const double roots = integrate_law(attenuation, density, -0.5, [](double inverse) { return std::sqrt(inverse); });
+  // Of a lamp with 1 / r^2 the mean of depth^(-1/2) is the root of pi.
+  const double x = std::sqrt(std::numbers::pi) * integrate_intensity(attenuation, density) / roots - 1;
+  if (!(x > 0)) return 0;
+  return (1 + mean_cosine(phase)) * x * x / (std::sqrt(0.3 + 1.3 * x) * min(density, kThickest));
 }
 
 }  // namespace
@@ -230,6 +231,17 @@ std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere) {
     return ValueError{
         "phase.first.asymmetry", atmosphere.phase.first.asymmetry,
         "must be of one lobe with alpha 0 and g in [0, 0.95], or of droplets, for all orders of scattering"};
+  }
+  return std::nullopt;
+}
+
+std::optional<ValueError> find_error(const ScatteringTable& table) {
+  for (const auto& row : table.logs) {
+    const auto is_fit = [](float each) { return std::abs(each) <= 100; };
+    int fit = 0;
+    for (const float each : row) fit += is_fit(each);  // without a branch, which compilers turn into vectors
+    if (fit == kScatteringAngles) continue;
+    return ValueError{"table", *std::ranges::find_if_not(row, is_fit), "must be at most 100 in magnitude"};
   }
   return std::nullopt;
 }
@@ -268,12 +280,27 @@ double scattered_at(const ScatteringTable& table, double depth, double angle) {
   return ScatteringText{{no_cookie}, &table}.litfog_scattered_at(depth, angle);
 }
 
-double effective_intensity(const Attenuation& attenuation, double density) {
-  require(find_error(attenuation));
+namespace {
+
+void require_density(double density) {
   if (!(density > 0 && std::isfinite(density))) {
     require(ValueError{"density", density, "must be finite and > 0"});
   }
+}
+
+}  // namespace
+
+double effective_intensity(const Attenuation& attenuation, double density) {
+  require(find_error(attenuation));
+  require_density(density);
   return integrate_intensity(attenuation, density);
+}
+
+double soft_range(const Attenuation& attenuation, double density, const Phase& phase) {
+  require(find_error(attenuation));
+  require(find_error(phase));
+  require_density(density);
+  return solve_soft_range(attenuation, density, phase);
 }
 
 double unchecked::source_intensity(const Attenuation& attenuation, const Fog& seen_fog) {
@@ -284,14 +311,25 @@ double unchecked::source_intensity(const Attenuation& attenuation, const Fog& se
 double source_intensity(const Light& light, const Atmosphere& atmosphere) {
   require(find_error(light));
   require(find_error(atmosphere));
-  return unchecked::source_intensity(light.attenuation, unchecked::scaled(atmosphere.thickest_fog(), light.density_scale));
+  return unchecked::source_intensity(light.attenuation,
+                                     unchecked::scaled(atmosphere.thickest_fog(), light.density_scale));
+}
+
+ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosphere) {
+  require(find_error(light));
+  require(find_error(atmosphere));
+  const Fog fog = unchecked::scaled(atmosphere.thickest_fog(), light.density_scale);
+  ScatteringSource source;
+  source.intensity = unchecked::source_intensity(light.attenuation, fog);
+  if (source.intensity > 0) source.soft_range = solve_soft_range(light.attenuation, fog.density, atmosphere.phase);
+  source.phase_cosine = mean_cosine(atmosphere.phase);
+  return source;
 }
 
 ScatteringSource scattering_source(const Light& light, const BeamMoments& shape, const Atmosphere& atmosphere,
                                    const ThinBeams& beams) {
-  ScatteringSource source;
-  source.intensity = source_intensity(light, atmosphere);
-  source.phase_cosine = mean_cosine(atmosphere.phase);
+  require(find_error(beams));
+  ScatteringSource source = scattering_source(light, atmosphere);
   source.is_cone = shape[0] < 1;
   source.beam = make_scattered_beam(shape, beams);
   return source;
@@ -301,12 +339,10 @@ ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosph
   return scattering_source(light, beam_moments(light.cone), atmosphere, beams);
 }
 
-double multiple_scattering(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
-                           const ScatteringTable& table, const EyeRay& ray) {
-  require(find_error(light));
-  require(find_error(atmosphere));
-  require(find_error(ray));
-  require(find_scattering_error(atmosphere));
+namespace {
+
+double scattered_along(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
+                       const ScatteringTable& table, const EyeRay& ray) {
   if (!(source.intensity > 0)) return 0;
   Fog fog = unchecked::scaled(atmosphere.fog, light.light.density_scale);
   fog.density = std::min(fog.density, kThickest);
@@ -315,10 +351,23 @@ double multiple_scattering(const PlacedLight& light, const ScatteringSource& sou
   ScatteringText text{{no_cookie, layers}, &table, &source.beam};
   const auto air = text.seen_along(light, 0, fog, ray, LampLeg::fogged, phase_text::pack<double>(atmosphere.phase));
   if (text.litfog_airlight_is_layered(air)) {
-    return source.intensity * text.litfog_layered_scattering(air, source.is_cone ? 0 : -1, mean_cosine(atmosphere.phase));
+    return source.intensity *
+           text.litfog_layered_scattering(air, source.soft_range, source.is_cone ? 0 : -1, source.phase_cosine);
   }
-  return source.intensity * (source.is_cone ? text.litfog_multiple_scattering(air, 0, source.phase_cosine)
-                                            : text.litfog_multiple_scattering(air));
+  return source.intensity * (source.is_cone
+                                 ? text.litfog_multiple_scattering(air, source.soft_range, 0, source.phase_cosine)
+                                 : text.litfog_multiple_scattering(air, source.soft_range));
+}
+
+}  // namespace
+
+double multiple_scattering(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
+                           const ScatteringTable& table, const EyeRay& ray) {
+  require(find_error(light));
+  require(find_error(atmosphere));
+  require(find_error(ray));
+  require(find_scattering_error(atmosphere));
+  return scattered_along(light, source, atmosphere, table, ray);
 }
 
 std::optional<ValueError> find_error(const DiffuseLight& light) {
@@ -360,9 +409,11 @@ void scattered_light(const PlacedLight& light, const ScatteringSource& source, c
     const double cosine = std::clamp(glm::dot(away, axis), -1.0, 1.0);
     const glm::dvec3 turned = away * cosine - axis;
     const double sine = glm::length(turned);
-    const auto found = text.litfog_airlight_is_layered(air)
-                           ? text.litfog_scattered_light_in_layers(air, positions[i].y, range, 0, cosine, phase_cosine)
-                           : text.litfog_scattered_light(air.density * range, range, 0, cosine);
+    const auto found =
+        text.litfog_airlight_is_layered(air)
+            ? text.litfog_scattered_light_in_layers(air, positions[i].y, range, source.soft_range, 0, cosine,
+                                                    phase_cosine)
+            : text.litfog_scattered_light(air.density, range, source.soft_range, 0, cosine, phase_cosine);
     const glm::dvec3 flow = found.radial * away + (sine > 0 ? found.turned / sine * turned : glm::dvec3(0.0));
     scattered[i] = source.intensity * DiffuseLight{.all = found.all, .flow = flow};
   }
@@ -380,15 +431,13 @@ void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere,
   require(find_error(light));
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
+  require(find_error(table));
   for (const EyeRay& ray : rays) require(find_error(ray));
-  ScatteringSource source;
-  if (light.light.cone.is_point_light()) {
-    source.intensity = source_intensity(light.light, atmosphere);  // all that rays need
-  } else {
-    source = scattering_source(light.light, atmosphere, make_thin_beams(atmosphere, table));
-  }
+  const ScatteringSource source = light.light.cone.is_point_light()
+                                      ? scattering_source(light.light, atmosphere)
+                                      : scattering_source(light.light, atmosphere, make_thin_beams(atmosphere, table));
   for (std::size_t i = 0; i < rays.size(); ++i) {
-    scattered[i] = multiple_scattering(light, source, atmosphere, table, rays[i]);
+    scattered[i] = scattered_along(light, source, atmosphere, table, rays[i]);
   }
 }
 

@@ -89,12 +89,29 @@ BeamMoments beam_moments(const Cone& cone) {
 ThinBeams make_thin_beams(const Atmosphere& atmosphere, const ScatteringTable& table) {
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
+  require(find_error(table));
   Atmosphere air = atmosphere;
   air.fog.density = 1;
   air.profile = {};
   ThinBeams beams;
   for (int row = 0; row < kBeamDepths; ++row) beams.rows[std::size_t(row)] = make_row(depth_of(row), air, table);
   return beams;
+}
+
+std::optional<ValueError> find_error(const ThinBeams& beams) {
+  for (const ThinBeams::Row& row : beams.rows) {
+    if (!(row.forward > 0 && row.forward <= 1)) return ValueError{"beams.forward", row.forward, "must be in (0, 1]"};
+    const auto find = [](const BeamMoments& moments, const char* field) -> std::optional<ValueError> {
+      for (const double each : moments) {
+        if (!(std::abs(each) <= 1e3)) return ValueError{field, each, "must be at most 1000 in magnitude"};
+      }
+      return std::nullopt;
+    };
+    if (const auto error = find(row.share, "beams.share")) return error;
+    if (const auto error = find(row.radial, "beams.radial")) return error;
+    if (const auto error = find(row.turned, "beams.turned")) return error;
+  }
+  return std::nullopt;
 }
 
 ScatteredBeam make_scattered_beam(const BeamMoments& moments, const ThinBeams& beams) {

@@ -94,6 +94,7 @@ litfog_status litfog_make_scattering_source(const litfog_light* light, const lit
     const ScatteringSource made =
         scattering_source(c::light(light), c::atmosphere(atmosphere), c::to_cpp(c::at(beams, "beams")));
     result = {.intensity = made.intensity,
+              .soft_range = made.soft_range,
               .phase_cosine = made.phase_cosine,
               .is_cone = made.is_cone,
               .beam = c::to_c<litfog_scattered_beam>(made.beam)};
@@ -111,6 +112,7 @@ litfog_status litfog_scattered_light(const litfog_placed_light* light, const lit
     c::expect_apart(std::array{c::Column(results, "scattered")}, std::array{c::Column(places, "positions")});
     scattered_light(c::placed_light(light),
                     {.intensity = from.intensity,
+                     .soft_range = from.soft_range,
                      .phase_cosine = from.phase_cosine,
                      .is_cone = from.is_cone != 0,
                      .beam = c::to_cpp(from.beam)},

@@ -1,19 +1,39 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/phase.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "model/phase_text.h"
 #include "model/require.h"
 
 namespace litfog {
+namespace {
+
+constexpr double kFirst[] = {2.20679, 3.91029, 0.428934};  // of the first lobe's asymmetry
+
+}  // namespace
+
 Phase Phase::droplets(double micrometres) {
   const double d = micrometres;
   if (!(d >= kSmallestDroplets && d <= kLargestDroplets)) require(ValueError{"micrometres", d, "must be in [5, 50]"});
-  return {.first = {.asymmetry = std::exp(-2.20679 / (d + 3.91029) - 0.428934),
+  return {.first = {.asymmetry = std::exp(-kFirst[0] / (d + kFirst[1]) - kFirst[2]),
                     .alpha = std::exp(3.62489 - 8.29288 / (d + 5.52825))},
           .second = {.asymmetry = std::exp(-0.0990567 / (d - 1.67154))},
           .weight = std::exp(-0.599085 / (d - 0.641583) - 0.665888)};
+}
+
+std::optional<double> droplet_diameter(const Phase& phase) {
+  const double d = kFirst[0] / (-std::log(phase.first.asymmetry) - kFirst[2]) - kFirst[1];
+  if (!(d > kSmallestDroplets - 1 && d < kLargestDroplets + 1)) return std::nullopt;
+  const double diameter = std::clamp(d, kSmallestDroplets, kLargestDroplets);
+  const Phase found = Phase::droplets(diameter);
+  const auto is_near = [](double a, double b) { return std::abs(a - b) <= 1e-6 * std::abs(b); };
+  const bool is_found = is_near(phase.first.asymmetry, found.first.asymmetry) &&
+                        is_near(phase.first.alpha, found.first.alpha) &&
+                        is_near(phase.second.asymmetry, found.second.asymmetry) && phase.second.alpha == 0 &&
+                        is_near(phase.weight, found.weight);
+  return is_found ? std::optional(diameter) : std::nullopt;
 }
 
 std::optional<ValueError> find_error(const Phase& phase) {

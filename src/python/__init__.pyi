@@ -237,6 +237,7 @@ class BatchSolutions:
 
 class ScatteringSource:
     intensity: Final[float]
+    soft_range: Final[float]
     phase_cosine: Final[float]
     is_cone: Final[bool]
     @property

@@ -951,6 +951,8 @@ void bind_airlight(py::module_& m) {
   py::class_<ScatteringSource>(m, "ScatteringSource", "A light as the fog around it scatters it.")
       .def_readonly("intensity", &ScatteringSource::intensity,
                     "m^2, as effective_intensity, of the densest layer; 0 in clear or total fog")
+      .def_readonly("soft_range", &ScatteringSource::soft_range,
+                    "metres within which a lamp of 1 / r^2 counts as one that is weaker near it")
       .def_readonly("phase_cosine", &ScatteringSource::phase_cosine, "mean cosine of the phase function")
       .def_readonly("is_cone", &ScatteringSource::is_cone, "else a point lamp")
       .def_property_readonly(
@@ -961,7 +963,7 @@ void bind_airlight(py::module_& m) {
           },
           "a read-only float32 array: the rows of a beam in the texture litfog_scattered_beams of\n"
           "litfog/shaders/multiple_scattering.glsl");
-  show_fields(m.attr("ScatteringSource"), {"intensity", "phase_cosine", "is_cone"});
+  show_fields(m.attr("ScatteringSource"), {"intensity", "soft_range", "phase_cosine", "is_cone"});
   m.def("scattering_source", &source_of, py::arg("light"), py::arg("atmosphere"), py::arg("beams"),
         "A light as the fog scatters it. beams: make_thin_beams of the atmosphere.");
   m.def(

@@ -326,12 +326,16 @@ TEST_F(CFace, MultipleScatteringIsThatOfCpp) {
     EXPECT_EQ(intensity, effective_intensity(twins.cpp.light.attenuation, 0.02));
   }
   const Twins twins = random_twins(random_);
+  float unknown = kInfinity;
   const auto expect_refused = [&](const char* sentence) {
     found[0] = 7;
     EXPECT_EQ(litfog_multiple_scattering(&twins.c, &air, &table, rays, 2, found), LITFOG_INVALID_ARGUMENT);
     EXPECT_STREQ(litfog_last_error(), sentence);
     EXPECT_EQ(found[0], 7);
   };
+  std::swap(table.logs[3][4], unknown);
+  expect_refused("table = inf: must be at most 100 in magnitude");
+  std::swap(table.logs[3][4], unknown);
   rays[1].length = -1;
   expect_refused("length = -1: must be >= 0");
   air.albedo = 0.5;
@@ -362,6 +366,7 @@ TEST_F(CFace, ScatteredLightAndItsIrradianceAreThoseOfCpp) {
     ASSERT_EQ(litfog_make_scattering_source(&twins.c.light, &air, &beams, &source), LITFOG_OK) << litfog_last_error();
     const ScatteringSource expected = scattering_source(twins.cpp.light, same, expected_beams);
     EXPECT_EQ(source.intensity, expected.intensity);
+    EXPECT_EQ(source.soft_range, expected.soft_range);
     EXPECT_EQ(source.phase_cosine, expected.phase_cosine);
     EXPECT_EQ(source.is_cone, expected.is_cone);
     EXPECT_EQ(std::memcmp(&source.beam, &expected.beam, sizeof source.beam), 0);
@@ -381,6 +386,9 @@ TEST_F(CFace, ScatteredLightAndItsIrradianceAreThoseOfCpp) {
     EXPECT_EQ(status, LITFOG_INVALID_ARGUMENT);
     EXPECT_STREQ(litfog_last_error(), error);
   };
+  beams.rows[2].forward = 0;
+  expect_refused(litfog_make_scattering_source(&twins.c.light, &air, &beams, &source),
+                 "beams.forward = 0: must be in (0, 1]");
   positions[4] = kNaN;
   found[0].all = 7;
   expect_refused(litfog_scattered_light(&twins.c, &source, &air, positions, 2, found),

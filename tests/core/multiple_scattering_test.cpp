@@ -46,9 +46,9 @@ std::string describe(const Attenuation& a, double density) {
          ", density " + std::to_string(density);
 }
 
-/// The definition's integral over the logarithm of the depth, cut at the knee and where the law changes its power, in
-/// 64 bits of mantissa.
-long double integrated_intensity(const Attenuation& a, double density) {
+/// The definition's integral over the logarithm of the depth, times a power of the depth, cut at the knee and where the
+/// law changes its power, in 64 bits of mantissa.
+long double integrated_intensity(const Attenuation& a, double density, long double power = 0) {
   using Real = long double;
   std::vector<Real> cuts{-60, -1, 0, 1, 2, 3, 4.5};
   const auto cut_at = [&](double range) {
@@ -67,17 +67,25 @@ long double integrated_intensity(const Attenuation& a, double density) {
         [&](Real t) {
           const Real depth = std::exp(t), range = depth / density;
           const Real law = 1 / (a.constant + range * (a.linear + range * a.quadratic));
-          return depth * std::exp(-depth) * range * range * std::min(law, Real(1));
+          return std::pow(depth, 1 + power) * std::exp(-depth) * range * range * std::min(law, Real(1));
         },
         cuts[i - 1], cuts[i], 12, Real(1e-13));
   }
   return sum;
 }
 
+/// soft_range() times the density, in isotropic fog.
+double integrated_soft_depth(const Attenuation& a, double density) {
+  const long double mean = integrated_intensity(a, density, -0.5L) / integrated_intensity(a, density);
+  const double x = double(std::sqrt(std::numbers::pi_v<long double>) / mean) - 1;
+  return x > 0 ? x * x / std::sqrt(0.3 + 1.3 * x) : 0;
+}
+
 TEST(EffectiveIntensity, IsTheIntegral) {
   Random random(4201);
   WorstError error("effective_intensity", "C, L, Q 0 or 1e-9..1e12, d 1e-9..1e6", kEffectiveIntensityMaxError,
                    "relative");
+  WorstError soft_error("soft_range", "C, L, Q 0 or 1e-9..1e12, d 1e-9..1e6", kSoftRangeMaxError, "mean free paths");
   for (int i = 0; i < 3000; ++i) {
     const auto draw = [&] { return random.chance(0.2) ? 0 : random.log_uniform(1e-9, 1e12); };
     Attenuation attenuation{draw(), draw(), draw()};
@@ -92,8 +100,21 @@ TEST(EffectiveIntensity, IsTheIntegral) {
     error.add(
         double(std::abs(effective_intensity(attenuation, density) / integrated_intensity(attenuation, density) - 1)),
         [&] { return describe(attenuation, density); });
+    soft_error.add(std::abs(density * soft_range(attenuation, density) - integrated_soft_depth(attenuation, density)),
+                   [&] { return describe(attenuation, density); });
   }
   error.check();
+  soft_error.check();
+}
+
+TEST(SoftRange, IsNoneOfAPointAndFourMeanFreePathsAtMost) {
+  for (const Phase& phase : {Phase{}, Phase::droplets(10), Phase::henyey_greenstein(0.95)}) {
+    EXPECT_LE(soft_range({0, 0, 1e12}, 1, phase), 1e-5);
+    EXPECT_LE(soft_range({0, 0, 1e40}, 1, phase), 1e-7);
+    EXPECT_GE(soft_range({1, 0, 0}, 0.5, phase), 2 * soft_range({1, 0, 1}, 1, phase));
+    EXPECT_LE(soft_range({1, 0, 0}, 0.5, phase), 2 * 4);
+  }
+  EXPECT_EQ(error_of([] { soft_range({}, 0); }), "density = 0: must be finite and > 0");
 }
 
 RC_GTEST_PROP(EffectiveIntensity, BoundsHoldAtKneesAndWhereTheLawChangesItsPower, ()) {
@@ -486,6 +507,25 @@ TEST(ScatteredBeam, LightFlowsAwayFromItsApparentStart) {
         const ScatteredBeam::Texel& texel = row[std::size_t(column)];
         EXPECT_NEAR(double(texel.turned) / double(texel.radial) / (away / outward), 1, 0.03) << column;
       }
+    }
+  }
+}
+
+TEST(MultipleScattering, NothingJumpsAsTheEyePassesASoftLamp) {
+  for (const Phase& phase : {Phase{}, Phase::droplets(12), Phase::henyey_greenstein(0.9)}) {
+    const Atmosphere air = uniform_fog(0.05, phase);
+    const ScatteringTable table = make_scattering_table(air);
+    PlacedLight lamp = inverse_square_lamp({0, 0, -30});
+    lamp.light.attenuation = {.constant = 1, .linear = 0, .quadratic = 0.01};
+    const ScatteringSource source = scattering_source(lamp.light, air);
+    EXPECT_GT(source.soft_range, 5);
+    for (const double beside : {0.0, 1e-6, 0.3}) {
+      const auto passing = [&](double x) {
+        EyeRay ray = ray_at(0.3);
+        ray.origin = {beside, 0, -10 - 40 * x};
+        return multiple_scattering(lamp, source, air, table, ray);
+      };
+      EXPECT_LE(largest_step(passing, 4000), largest_step(passing, 500) / 4 + 1e-7) << beside;
     }
   }
 }

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "reference/digits50.h"
 #include "reference/double_limits.h"
@@ -81,6 +82,25 @@ TEST(Phase, DropletsScatterAhead) {
   EXPECT_NEAR(phase.first.alpha, std::exp(3.62489 - 8.29288 / 15.52825), 1e-14);
   EXPECT_NEAR(phase.second.asymmetry, std::exp(-0.0990567 / 8.32846), 1e-15);
   EXPECT_NEAR(phase.weight, std::exp(-0.599085 / 9.358417 - 0.665888), 1e-15);
+}
+
+TEST(Phase, DropletsHaveTheirDiameter) {
+  Random random(94);
+  for (int i = 0; i < 1000; ++i) {
+    const double diameter = i < 2 ? (i == 0 ? kSmallestDroplets : kLargestDroplets) : random.uniform(5, 50);
+    Phase phase = Phase::droplets(diameter);
+    ASSERT_TRUE(droplet_diameter(phase)) << diameter;
+    EXPECT_LE(relative_error(*droplet_diameter(phase), diameter), 1e-10);
+    for (double* const parameter :
+         {&phase.first.asymmetry, &phase.first.alpha, &phase.second.asymmetry, &phase.weight}) {
+      const double kept = std::exchange(*parameter, *parameter * (1 - 1e-4));
+      EXPECT_FALSE(droplet_diameter(phase)) << diameter;
+      *parameter = kept;
+    }
+  }
+  for (const double asymmetry : {-0.5, 0.0, 0.3, 0.65, 0.95}) {
+    EXPECT_FALSE(droplet_diameter(Phase::henyey_greenstein(asymmetry))) << asymmetry;
+  }
 }
 
 TEST(Phase, ValueHasFifteenDigitsButForTheCosineItself) {

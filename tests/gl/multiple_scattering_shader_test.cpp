@@ -8,6 +8,8 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
+#include <string>
+#include <utility>
 #include <vector>
 
 #include "gl/formula_pixels.h"
@@ -37,10 +39,14 @@ gl::TextureName linear_texture(int unit, GLint format, GLsizei width, GLsizei he
   return texture;
 }
 
-// A point lamp and two cones are seen along rays in fog of density 1; what they scatter on a surface that faces them is
-// drawn, too.
+// A point lamp and two cones, of laws with 1 / r^2 or of softer ones, are seen along rays in fog of density 1; what
+// they scatter on a surface that faces them is drawn, too.
 TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
-  for (const Phase& phase : {Phase{}, Phase::droplets(10)}) {
+  for (const auto& [phase, is_soft] : {std::pair{Phase{}, false},
+                                       {Phase::droplets(10), false},
+                                       {Phase{}, true},
+                                       {Phase::droplets(10), true},
+                                       {Phase::henyey_greenstein(0.9), true}}) {
     const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = phase};
     const ScatteringTable table = make_scattering_table(air);
     const ThinBeams thin = make_thin_beams(air, table);
@@ -51,6 +57,7 @@ TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
     std::array<Light, 3> lights{point, point, point};
     lights[1].cone = Cone::smoothstep(0.1, 0.4);
     lights[2].cone = Cone::smoothstep(0.5, 1.5);
+    if (is_soft) lights[0].attenuation = lights[1].attenuation = {.constant = 1, .linear = 0, .quadratic = 2};
     for (std::size_t i = 0; i < 3; ++i) sources[i] = scattering_source(lights[i], air, thin);
     for (std::size_t i = 0; i < 2; ++i) beams[i] = sources[i + 1].beam;
     const auto logs = linear_texture(1, GL_R32F, kScatteringAngles, kScatteringDepths, GL_RED, table.logs.data());
@@ -80,20 +87,27 @@ TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
         "#include \"litfog/shaders/multiple_scattering.glsl\"\n"
         "#include \"litfog/shaders/diffuse_light.glsl\"\n"
         "uniform vec4 lobes[2];\n"
+        "uniform float soft_ranges[3];\n"
         "LitfogPhaseLobe lobe(vec4 x) { return LitfogPhaseLobe(x.x, x.y, x.z, x.w); }\n"
         "void main() { vec4 a = given(0), b = given(1);\n"
         "LitfogPhase phase = LitfogPhase(lobe(lobes[0]), lobe(lobes[1]));\n"
         "LitfogAirlight air = LitfogAirlight(1.0, 0.0, 1.0, phase, 0.0, 0.0, 1.0, 1e30, 0.0, 0.0, 0.0, a.x,\n"
         "a.y, a.z, a.w, b.x, 0.0, 0.0, 0.0, 0.0, 0.0);\n"
-        "result = vec4(b.y < 0.0 ? litfog_multiple_scattering(air)\n"
-        "                        : litfog_multiple_scattering(air, b.y, b.z));\n"
-        "LitfogScatteredLight light = litfog_scattered_light(length(a.yz), length(a.yz), max(b.y, 0.0), b.w);\n"
+        "float soft_range = soft_ranges[int(b.y) + 1];\n"
+        "result = vec4(b.y < 0.0 ? litfog_multiple_scattering(air, soft_range)\n"
+        "                        : litfog_multiple_scattering(air, soft_range, b.y, b.z));\n"
+        "LitfogScatteredLight light =\n"
+        "    litfog_scattered_light(1.0, length(a.yz), soft_range, max(b.y, 0.0), b.w, b.z);\n"
         "result.y = litfog_diffuse_irradiance(light.all, length(vec2(light.radial, light.turned)), light.radial); }\n");
     program.use();
     glUniform1i(program.uniform("litfog_scattering_table"), 1);
     glUniform1i(program.uniform("litfog_scattered_beams"), 2);
     const auto lobes = pack_fog_header(air, 0).phase_lobes;
     glUniform4fv(program.uniform("lobes"), 2, &lobes[0].x);
+    for (int i = 0; i < 3; ++i) {
+      glUniform1f(program.uniform(("soft_ranges[" + std::to_string(i) + "]").c_str()),
+                  float(sources[std::size_t(i)].soft_range));
+    }
     const auto results = FormulaPixels().draw(program, {inputs[0], inputs[1]});
     double largest = 0, largest_on_surfaces = 0;
     for (std::size_t i = 0; i < results.size(); ++i) {

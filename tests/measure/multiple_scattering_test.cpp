@@ -47,7 +47,7 @@ const Case kCases[] = {{"isotropic", {}},
 TEST(MultipleScattering, WholeGlowOfAPointLampIsTheTrueOne) {
   const measure::RadialScattering nodes(0.6);
   Random random(4203);
-  std::vector<double> endless, ending;
+  std::vector<double> endless, ending, far;
   for (const Case& c : kCases) {
     const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = c.phase};
     const ScatteringTable table = make_scattering_table(air);
@@ -55,7 +55,8 @@ TEST(MultipleScattering, WholeGlowOfAPointLampIsTheTrueOne) {
     std::vector<double> errors;
     std::string worst;
     for (int i = 0; i < 400; ++i) {
-      const double depth = random.log_uniform(0.02, 10), angle = random.log_uniform(0.2, 180) * pi / 180;
+      const double depth = random.chance(0.75) ? random.log_uniform(0.02, 10) : random.uniform(10, 30);
+      const double angle = random.log_uniform(0.2, 180) * pi / 180;
       // Every other ray ends: at any distance, or at up to twice that of the closest approach.
       const bool ends = i % 2 == 1;
       const double approach = depth * std::cos(angle);
@@ -68,7 +69,7 @@ TEST(MultipleScattering, WholeGlowOfAPointLampIsTheTrueOne) {
       const double single = kQuadratic * reference_airlight(lamp, air, ray);
       const double off = std::abs(kQuadratic * multiple_scattering(lamp, air, table, ray) - truth);
       const double error = off / (single + truth);
-      (ends ? ending : endless).push_back(error);
+      (depth > 10 ? far : ends ? ending : endless).push_back(error);
       if (errors.empty() || error > measure::quantile(errors, 1)) {
         char text[200];
         std::snprintf(text, sizeof text, "depth %.3g, %.3g degrees, length %.3g", depth, angle * 180 / pi, length);
@@ -86,6 +87,68 @@ TEST(MultipleScattering, WholeGlowOfAPointLampIsTheTrueOne) {
     EXPECT_LE(largest, kScatteringMaxError);
     std::printf("%s rays: median %.4f, of 9 in 10 %.4f, largest %.4f\n", errors == &endless ? "endless" : "ending",
                 measure::quantile(*errors, 0.5), measure::quantile(*errors, 0.9), largest);
+  }
+  std::printf("beyond a depth of 10: median %.4f, of 9 in 10 %.4f, largest %.4f\n", measure::quantile(far, 0.5),
+              measure::quantile(far, 0.9), measure::quantile(far, 1));
+  EXPECT_LE(measure::quantile(far, 0.5), kFarScatteringMedianError);
+  EXPECT_LE(measure::quantile(far, 0.9), kFarScatteringTypicalError);
+  EXPECT_LE(measure::quantile(far, 1), kScatteringMaxError);
+}
+
+/// A lamp whose law leaves 1 / r^2 within some range, in depths: by a constant and a linear term, or at a knee.
+Attenuation soft_law(Random& random) {
+  const double range = random.log_uniform(0.01, 30);
+  if (random.chance(0.3)) return {.constant = 0, .linear = 0, .quadratic = 1 / (range * range)};
+  const double linear = random.chance(0.5) ? 0 : random.log_uniform(0.05, 5) / range;
+  return {.constant = random.chance(0.7) ? 1 : random.uniform(0, 1), .linear = linear, .quadratic = 1 / (range * range)};
+}
+
+PlacedLight soft_lamp_ahead(const Attenuation& law, double depth) {
+  PlacedLight lamp = lamp_ahead(depth);
+  lamp.light.attenuation = law;
+  lamp.light.threshold = 1e-9;
+  return lamp;
+}
+
+TEST(MultipleScattering, WholeGlowOfASoftLampIsNearTheTrueOne) {
+  const measure::RadialScattering nodes(0.5);
+  Random random(4210);
+  std::vector<double> endless, ending, as_point;
+  for (const Case& c : kCases) {
+    const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = c.phase};
+    const ScatteringTable table = make_scattering_table(air);
+    std::vector<double> errors;
+    for (int lamps = 0; lamps < 4; ++lamps) {
+      const Attenuation law = soft_law(random);
+      const auto glow = nodes.solve(c.phase, [&](double r) { return r * r * attenuation_at(law, r); });
+      ScatteringSource point = scattering_source(soft_lamp_ahead(law, 1).light, air);
+      const ScatteringSource source = point;
+      point.soft_range = 0;
+      for (int i = 0; i < 100; ++i) {
+        const double depth = random.log_uniform(0.02, 10), angle = random.log_uniform(0.2, 180) * pi / 180;
+        const bool ends = i % 2 == 1;
+        const double length = ends ? random.log_uniform(0.1, 20) : kInfinity;
+        const PlacedLight lamp = soft_lamp_ahead(law, depth);
+        const EyeRay ray = ray_beside(angle, length);
+        const double truth = true_scattering(glow, depth, angle, length);
+        const double whole = reference_airlight(lamp, air, ray) + truth;
+        const double error = std::abs(multiple_scattering(lamp, source, air, table, ray) - truth) / whole;
+        (ends ? ending : endless).push_back(error);
+        errors.push_back(error);
+        as_point.push_back(std::abs(multiple_scattering(lamp, point, air, table, ray) - truth) / whole);
+      }
+    }
+    std::printf("soft lamps, %-16s median %.3f, of 9 in 10 %.3f, largest %.3f\n", c.name, measure::quantile(errors, 0.5),
+                measure::quantile(errors, 0.9), measure::quantile(errors, 1));
+  }
+  std::printf("as point lamps: median %.3f, of 9 in 10 %.3f\n", measure::quantile(as_point, 0.5),
+              measure::quantile(as_point, 0.9));
+  for (const auto* errors : {&endless, &ending}) {
+    std::printf("%s rays: median %.3f, of 9 in 10 %.3f, largest %.3f\n", errors == &endless ? "endless" : "ending",
+                measure::quantile(*errors, 0.5), measure::quantile(*errors, 0.9), measure::quantile(*errors, 1));
+    EXPECT_LE(measure::quantile(*errors, 0.5), kSoftScatteringMedianError);
+    EXPECT_LE(measure::quantile(*errors, 0.9), kSoftScatteringTypicalError);
+    EXPECT_LE(measure::quantile(*errors, 1), kSoftScatteringMaxError);
   }
 }
 
@@ -183,7 +246,33 @@ TEST(ScatteredIrradiance, InLayersIsThatOfItsGlowWithinAFactor) {
   EXPECT_LE(measure::quantile(factors, 0.9), kLayeredIrradianceTypicalFactor);
 }
 
-// The truth is the radiance of all directions before the surface, summed.
+/// Turns of a surface away from facing the lamp.
+constexpr std::array kTurns{0.0, 0.8, pi / 2, pi - 0.8, pi};
+
+/// What surfaces at a depth from a lamp receive: the radiance of all directions before them, summed.
+std::array<double, kTurns.size()> summed_irradiances(const PlacedLight& lamp, const Atmosphere& air,
+                                                     const measure::RadialScattering::Glow& glow, double unit) {
+  constexpr int kAngles = 300, kAround = 64;
+  std::array<double, kTurns.size()> sums{};
+  for (int i = 0; i < kAngles; ++i) {
+    const double from = 1e-5 * std::pow(pi / 1e-5, double(i) / kAngles);
+    const double to = 1e-5 * std::pow(pi / 1e-5, (i + 1.) / kAngles);
+    const double angle = (from + to) / 2;
+    const double single = unit * reference_airlight(lamp, air, ray_beside(angle));
+    const double light = (single + glow.at(-lamp.position.z, angle)) * std::sin(angle) * (to - from) / 2;
+    for (std::size_t turn = 0; turn < kTurns.size(); ++turn) {
+      for (int k = 0; k < kAround; ++k) {
+        const double cosine = std::cos(kTurns[turn]) * std::cos(angle) +
+                              std::sin(kTurns[turn]) * std::sin(angle) * std::cos(pi * (k + 0.5) / kAround);
+        sums[turn] += light * std::max(cosine, 0.0) / kAround;
+      }
+    }
+  }
+  return sums;
+}
+
+glm::dvec3 normal_at(double turn) { return {std::sin(turn), 0, -std::cos(turn)}; }
+
 TEST(ScatteredIrradiance, OfAPointLampIsTheSumOfItsGlow) {
   const measure::RadialScattering nodes(0.6);
   double worst = 0;
@@ -194,33 +283,13 @@ TEST(ScatteredIrradiance, OfAPointLampIsTheSumOfItsGlow) {
     for (const double depth : {0.03, 0.2, 1.0, 3.0, 8.0}) {
       const PlacedLight lamp = lamp_ahead(depth);
       const ScatteringSource source = scattering_source(lamp.light, air, beams);
-      constexpr int kAngles = 300, kAround = 64;
-      std::vector<double> angles, lights;  // the glow's, times its solid angle over that of a sphere
-      for (int i = 0; i < kAngles; ++i) {
-        const double from = 1e-5 * std::pow(pi / 1e-5, double(i) / kAngles);
-        const double to = 1e-5 * std::pow(pi / 1e-5, (i + 1.) / kAngles);
-        const double angle = (from + to) / 2;
-        const double single = kQuadratic * reference_airlight(lamp, air, ray_beside(angle));
-        angles.push_back(angle);
-        lights.push_back((single + glow.at(depth, angle)) * std::sin(angle) * (to - from) / 2);
-      }
-      constexpr std::array kTurns{0.0, 0.8, pi / 2, pi - 0.8, pi};
-      std::array<double, kTurns.size()> truths{};
-      for (std::size_t turn = 0; turn < kTurns.size(); ++turn) {
-        for (std::size_t i = 0; i < angles.size(); ++i) {
-          for (int k = 0; k < kAround; ++k) {
-            const double cosine = std::cos(kTurns[turn]) * std::cos(angles[i]) +
-                                  std::sin(kTurns[turn]) * std::sin(angles[i]) * std::cos(pi * (k + 0.5) / kAround);
-            truths[turn] += lights[i] * std::max(cosine, 0.0) / kAround;
-          }
-        }
-      }
+      const auto truths = summed_irradiances(lamp, air, glow, kQuadratic);
       const DiffuseLight one = kQuadratic * scattered_light(lamp, source, air, glm::dvec3(0.0));
       DiffuseLight two{.all = one.all, .flow = -one.flow};  // and of a lamp behind
       two += one;
       const double unit = -std::expm1(-depth) / (depth * depth);
       for (std::size_t turn = 0; turn < kTurns.size(); ++turn) {
-        const glm::dvec3 normal(std::sin(kTurns[turn]), 0, -std::cos(kTurns[turn]));
+        const glm::dvec3 normal = normal_at(kTurns[turn]);
         const double error = std::abs(irradiance(one, normal) - truths[turn]) / unit;
         EXPECT_LE(error, kScatteredIrradianceMaxError)
             << c.name << ", depth " << depth << ", turned by " << kTurns[turn];
@@ -234,38 +303,92 @@ TEST(ScatteredIrradiance, OfAPointLampIsTheSumOfItsGlow) {
   std::printf("largest error %.3f of what is scattered\n", worst);
 }
 
+TEST(ScatteredIrradiance, OfASoftLampIsNearTheSumOfItsGlow) {
+  const measure::RadialScattering nodes(0.4);
+  Random random(4211);
+  std::vector<double> errors;
+  for (const Case& c : kCases) {
+    const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = c.phase};
+    const ThinBeams beams = make_thin_beams(air, make_scattering_table(air));
+    for (int lamps = 0; lamps < 3; ++lamps) {
+      const Attenuation law = soft_law(random);
+      const auto glow = nodes.solve(c.phase, [&](double r) { return r * r * attenuation_at(law, r); });
+      const ScatteringSource source = scattering_source(soft_lamp_ahead(law, 1).light, air, beams);
+      for (const double depth : {0.1, 0.5, 2.0}) {
+        const PlacedLight lamp = soft_lamp_ahead(law, depth);
+        const auto truths = summed_irradiances(lamp, air, glow, 1);
+        const DiffuseLight found = scattered_light(lamp, source, air, glm::dvec3(0.0));
+        for (std::size_t turn = 0; turn < kTurns.size(); ++turn) {
+          errors.push_back(std::abs(irradiance(found, normal_at(kTurns[turn])) - truths[turn]) / truths[0]);
+        }
+      }
+    }
+  }
+  std::printf("irradiance of soft lamps: median error %.2f, of 9 in 10 %.2f, largest %.2f\n",
+              measure::quantile(errors, 0.5), measure::quantile(errors, 0.9), measure::quantile(errors, 1));
+  EXPECT_LE(measure::quantile(errors, 0.5), kSoftIrradianceMedianError);
+  EXPECT_LE(measure::quantile(errors, 0.9), kSoftIrradianceTypicalError);
+}
+
+/// The random walk's, with four times the paths where a first one is unsure.
+double walked_scattering(const PlacedLight& lamp, const Atmosphere& air, const EyeRay& ray, double single) {
+  measure::ScatteringWalk walk;
+  walk.paths = 2048;
+  const auto first = measure::walk_scattering(lamp, air, ray, walk).higher;
+  if (first.error < 0.05 * (single + first.value)) return first.value;
+  walk.paths *= 4;
+  return measure::walk_scattering(lamp, air, ray, walk).higher.value;
+}
+
+Cone draw_cone(Random& random, int kind) {
+  const double half = random.log_uniform(3, 90) * pi / 180;
+  if (kind == 0) return Cone::cosine(half, 0);
+  if (kind == 1) return Cone::cosine(half, random.log_uniform(1, 100));
+  return Cone::smoothstep(random.uniform(0, 0.9) * half, half);
+}
+
+/// Errors of the whole glow of cones that point anywhere, those of the walk included.
+std::vector<double> cone_errors(const Phase& phase, bool is_soft, int count) {
+  const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = phase};
+  const ScatteringTable table = make_scattering_table(air);
+  const ThinBeams beams = make_thin_beams(air, table);
+  Random random(4204);
+  std::vector<double> errors;
+  for (int i = 0; i < count; ++i) {
+    const double depth = random.log_uniform(0.02, 3);
+    const double aim = random.uniform(0, pi), around = random.uniform(0, 2 * pi);
+    PlacedLight lamp = is_soft ? soft_lamp_ahead(soft_law(random), depth) : lamp_ahead(depth);
+    lamp.light.cone = draw_cone(random, i % 3);
+    lamp.direction = {std::sin(aim) * std::cos(around), std::sin(aim) * std::sin(around), std::cos(aim)};
+    const EyeRay ray = ray_beside(random.log_uniform(1, 150) * pi / 180);
+    const double single = reference_airlight(lamp, air, ray);
+    const double truth = walked_scattering(lamp, air, ray, single);
+    const double found = multiple_scattering(lamp, scattering_source(lamp.light, air, beams), air, table, ray);
+    errors.push_back(std::abs(found - truth) / (single + truth));
+  }
+  return errors;
+}
+
 TEST(MultipleScattering, WholeGlowOfAConeIsThatOfTheRandomWalk) {
   struct ConeCase {
     const char* name;
     Phase phase;
+    bool is_soft;
     double median, typical;
   };
-  for (const ConeCase& c : {ConeCase{"isotropic", {}, kConeScatteringMedianError, kConeScatteringTypicalError},
-                            {"droplets of 10", Phase::droplets(10), kDropletConeScatteringMedianError,
-                             kDropletConeScatteringTypicalError}}) {
-    const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = c.phase};
-    const ScatteringTable table = make_scattering_table(air);
-    const ThinBeams beams = make_thin_beams(air, table);
-    Random random(4204);
-    std::vector<double> errors;
-    while (errors.size() < 40) {
-      const double depth = random.log_uniform(0.05, 3);
-      const double aim = random.uniform(0, pi), around = random.uniform(0, 2 * pi);
-      PlacedLight lamp = lamp_ahead(depth);
-      lamp.light.cone = Cone::cosine(random.log_uniform(3, 90) * pi / 180, 0);
-      lamp.direction = {std::sin(aim) * std::cos(around), std::sin(aim) * std::sin(around), std::cos(aim)};
-      const EyeRay ray = ray_beside(random.log_uniform(1, 150) * pi / 180);
-      measure::ScatteringWalk walk;
-      walk.paths = 4096;
-      const auto chance = measure::walk_scattering(lamp, air, ray, walk);
-      const double whole = reference_airlight(lamp, air, ray) + chance.higher.value;
-      const double doubt = chance.higher.error / whole;
-      if (doubt > 0.1) continue;  // the walk does not know
-      const ScatteringSource source = scattering_source(lamp.light, air, beams);
-      const double found = multiple_scattering(lamp, source, air, table, ray);
-      errors.push_back(std::max(std::abs(found - chance.higher.value) / whole - doubt, 0.0));
-    }
-    std::printf("%-16s median %.3f, of 9 in 10 %.3f, largest %.3f\n", c.name, measure::quantile(errors, 0.5),
+  for (const ConeCase& c :
+       {ConeCase{"isotropic", {}, false, kConeScatteringMedianError, kConeScatteringTypicalError},
+        {"soft, isotropic", {}, true, kSoftConeScatteringMedianError, kSoftConeScatteringTypicalError},
+        {"droplets of 5", Phase::droplets(5), false, kDropletConeScatteringMedianError,
+         kDropletConeScatteringTypicalError},
+        {"droplets of 10", Phase::droplets(10), false, kDropletConeScatteringMedianError,
+         kDropletConeScatteringTypicalError},
+        {"droplets of 30", Phase::droplets(30), false, kDropletConeScatteringMedianError,
+         kDropletConeScatteringTypicalError},
+        {"soft, droplets of 10", Phase::droplets(10), true, kSoftDropletConeScatteringMedianError,
+         kSoftDropletConeScatteringTypicalError}}) {
+    const std::vector<double> errors = cone_errors(c.phase, c.is_soft, 32);
+    std::printf("%-20s median %.3f, of 9 in 10 %.3f, largest %.3f\n", c.name, measure::quantile(errors, 0.5),
                 measure::quantile(errors, 0.9), measure::quantile(errors, 1));
     EXPECT_LE(measure::quantile(errors, 0.5), c.median) << c.name;
     EXPECT_LE(measure::quantile(errors, 0.9), c.typical) << c.name;

@@ -659,6 +659,8 @@ class AirlightTest(unittest.TestCase):
             litfog.multiple_scattering(self.light, self.air, np.zeros(3, np.float32), rays)
         with self.assertRaisesRegex(TypeError, "^table: must be a NumPy array of float32, is one of float64$"):
             litfog.multiple_scattering(self.light, self.air, np.zeros((12, 18)), rays)
+        with self.assertRaisesRegex(ValueError, "^table = nan: must be at most 100 in magnitude$"):
+            litfog.multiple_scattering(self.light, self.air, table * np.float32(np.nan), rays)
 
     def test_fog_lights_surfaces(self):
         table = litfog.make_scattering_table(self.air)
@@ -668,6 +670,7 @@ class AirlightTest(unittest.TestCase):
         source = litfog.scattering_source(lamp, self.air, beams)
         self.assertEqual(source.intensity, litfog.effective_intensity(lamp.attenuation, self.fog.density))
         self.assertEqual((source.is_cone, source.phase_cosine), (True, 0))
+        self.assertTrue(0 < source.soft_range < 3 / self.fog.density)
         self.assertEqual((source.beam.shape, source.beam.dtype), ((16, 24, 4), np.float32))
         self.assertFalse(source.beam.flags.writeable)
         placed = litfog.PlacedLight(lamp)  # it shines along -z
@@ -683,6 +686,8 @@ class AirlightTest(unittest.TestCase):
         self.assertGreater(facing[0, 0], litfog.irradiance(scattered[0, 0], (0, 0, -1)))
         np.testing.assert_allclose(litfog.irradiance(2 * scattered[:, 0], np.eye(3)[1:]),
                                    [2 * litfog.irradiance(scattered[0, 0], (0, 1, 0)), 2 * facing[1, 0]])  # fmt: skip
+        unknown = beams.copy()
+        unknown["share"][3, 5] = math.nan
         for error, call in (
             (r"^positions: must have a last axis of 3, has the shape \(2,\)$",
              lambda: litfog.scattered_light(placed, source, self.air, [1, 2])),
@@ -693,6 +698,8 @@ class AirlightTest(unittest.TestCase):
             (r"^light: must have a last axis of 4, has the shape \(\)$", lambda: litfog.irradiance(1, [0, 1, 0])),
             (r"^beams: must be those of make_thin_beams, has the shape \(15,\)$",
              lambda: litfog.scattering_source(lamp, self.air, beams[:15])),
+            ("^beams.share = nan: must be at most 1000 in magnitude$",
+             lambda: litfog.scattering_source(lamp, self.air, unknown)),
         ):  # fmt: skip
             with self.assertRaisesRegex(ValueError, error):
                 call()

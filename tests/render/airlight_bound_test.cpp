@@ -64,10 +64,12 @@ TEST(RenderAirlightBound, HigherOrdersAreNoMoreThanTheirBound) {
     PlacedLight light;
     light.position = {random.log_uniform(0.1, 6), random.uniform(-0.2, 1.4) * thickness, 0};
     light.light.attenuation = {.constant = 0, .linear = 0, .quadratic = 1e4};
+    if (i % 3 == 0) light.light.attenuation = {.constant = 1, .linear = 0, .quadratic = random.log_uniform(0.01, 100)};
     light.light.color = glm::dvec3(1);
     EyeRay ray{.origin = {0, random.uniform(-0.2, 1.4) * thickness, 0}};
     const ScatteringBound scattering(phase);
-    const PointGlow glow{&table, source_intensity(light.light, air)};
+    const ScatteringSource source = scattering_source(light.light, air);
+    const PointGlow glow{&table, source.intensity, source.soft_range};
     const AirlightBound bound(light, 100, air, scattering, ray.origin, glow);
     const double near = bound.higher_orders_reach(1e-300);
     do ray.direction = draw_direction(random);

@@ -52,7 +52,7 @@ vec4 litfog_test() {
   vec3 lit = litfog_ambient(surface, vec3(0.25)) +
              litfog_light_surface(surface, litfog_block_light(LITFOG_MAX_LIGHTS - 1)) +
              litfog_light_surface(surface, litfog_buffered_light(1000)) + litfog_buffered_position_extent(0).xyz +
-             litfog_multiple_scattering(air) * vec3(0.5) + litfog_layered_scattering(air, 0.0, 0.5) * vec3(0.5);
+             litfog_multiple_scattering(air, 0.0) * vec3(0.5) + litfog_layered_scattering(air, 0.0, 0.0, 0.5) * vec3(0.5);
   LitfogLightList lights = litfog_lights_at(vec2(0.5), 9.0);
   LitfogLightList along = litfog_lights_along(vec2(0.5), 9.0);
   lit += litfog_light_surface(surface, litfog_buffered_light(litfog_listed_light(lights, along.count)));

@@ -218,7 +218,10 @@ double AirlightBound::higher_orders(double distance) const {
 
 double AirlightBound::higher_orders_reach(double budget) const {
   if (!glow_.table) return 0;
-  const double left_out = is_layered_ ? 0 : glow_beside(near_);
+  const auto softened = [&](double range) { return std::hypot(range, glow_.soft_range); };
+  const double approach = std::sqrt(std::max(eye_range_ * eye_range_ - near_ * near_, 0.0));
+  const double left_out =
+      is_layered_ ? 0 : glow_at(largest_density_ * softened(eye_range_), std::atan2(softened(near_), approach));
   double low = 0, high = near_;
   if (glow_beside(0) - left_out <= budget) return 0;
   for (int i = 0; i < 12; ++i) {

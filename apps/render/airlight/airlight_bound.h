@@ -33,6 +33,7 @@ class ScatteringBound {
 struct PointGlow {
   const ScatteringTable* table = nullptr;  ///< none: nothing is
   double intensity = 0;                    ///< effective, m^2
+  double soft_range = 0;                   ///< metres; it makes the glow fainter
 };
 
 /// Upper bounds of a light's airlight, in the largest component of its colour; both legs lead through the fog. s is the

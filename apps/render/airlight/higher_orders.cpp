@@ -13,13 +13,16 @@
 
 namespace litfog::render {
 
-HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere)
-    : table(make_scattering_table(atmosphere)) {
-  const ThinBeams thin = make_thin_beams(atmosphere, *table);
+HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere,
+                           const HigherOrders& last)
+    : phase_(atmosphere.phase) {
+  const bool is_same = last.table && last.phase_ == phase_;
+  table = is_same ? last.table : make_scattering_table(atmosphere);
+  thin_ = is_same ? last.thin_ : make_thin_beams(atmosphere, *table);
   std::map<std::size_t, int> beam_of_cookie;
   std::vector<std::pair<Cone, int>> beam_of_cone;
   const auto add = [&](const BeamMoments& moments) {
-    beams.push_back(make_scattered_beam(moments, thin));
+    beams.push_back(make_scattered_beam(moments, thin_));
     return int(beams.size()) - 1;
   };
   add(beam_moments(Cone{}));  // kPointBeam
@@ -36,8 +39,8 @@ HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> co
     return beam_of_cone.emplace_back(cone, add(beam_moments(cone))).second;
   };
   for (std::size_t i = 0; i < lights.size(); ++i) {
-    const double intensity = source_intensity(lights.lights()[i].light, atmosphere);
-    sources.emplace_back(intensity, beam_of(i), mean_cosine(atmosphere.phase), 0);
+    const ScatteringSource source = scattering_source(lights.lights()[i].light, atmosphere);
+    sources.emplace_back(source.intensity, beam_of(i), source.phase_cosine, source.soft_range);
   }
 }
 

@@ -22,15 +22,24 @@ namespace litfog::render {
 /// (shaders/airlight/higher_orders.glsl). Shadows do not darken it.
 struct HigherOrders {
   std::optional<ScatteringTable> table;  ///< empty: fog scatters once
-  /// Of each light the intensity of its ScatteringSource, its beam's index and the phase function's mean cosine.
+  /// Of each light the intensity of its ScatteringSource, its beam's index, the phase function's mean cosine and the
+  /// soft range.
   std::vector<glm::vec4> sources;
   std::vector<ScatteredBeam> beams;     ///< of the different cones and cookies
   static constexpr int kPointBeam = 0;  ///< that of point lamps
 
   HigherOrders() = default;
-  HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere);
+  /// last  of which it takes what the phase function alone decides, where that is the same; otherwise that takes 10 ms
+  HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere,
+               const HigherOrders& last = {});
 
-  PointGlow of(std::size_t light) const { return table ? PointGlow{&*table, double(sources[light].x)} : PointGlow{}; }
+  PointGlow of(std::size_t light) const {
+    return table ? PointGlow{&*table, double(sources[light].x), double(sources[light].w)} : PointGlow{};
+  }
+
+ private:
+  Phase phase_;
+  ThinBeams thin_;
 };
 
 /// Holds them for shaders. Needs a current GL context.

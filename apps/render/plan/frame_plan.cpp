@@ -49,7 +49,7 @@ void FramePlanner::set_atmosphere(const Atmosphere& atmosphere, bool is_fog_lit,
   fog_states_.resize(surfaces_.surfaces().size());
   strengths_.resize(surfaces_.lists().size());
   plan_.higher_orders = settings_.scattering == Scattering::all && !find_scattering_error(atmosphere_)
-                            ? HigherOrders(lights_, scene_.cookies, atmosphere_)
+                            ? HigherOrders(lights_, scene_.cookies, atmosphere_, plan_.higher_orders)
                             : HigherOrders();
   scattered_bound_ = has_scattered_light(settings_) && plan_.higher_orders.table
                          ? ScatteredLightBound(lights_, plan_.higher_orders, atmosphere_.thickest_fog().density)

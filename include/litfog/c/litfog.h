@@ -390,7 +390,7 @@ LITFOG_API litfog_status litfog_directional_fog_factor(const litfog_atmosphere* 
 
 // --- all orders of scattering (litfog/multiple_scattering.h) ---
 
-#define LITFOG_SCATTERING_DEPTHS 45
+#define LITFOG_SCATTERING_DEPTHS 61
 #define LITFOG_SCATTERING_ANGLES 69
 #define LITFOG_BEAM_ORDERS 48
 #define LITFOG_BEAM_DEPTHS 16
@@ -446,6 +446,7 @@ typedef struct litfog_scattered_beam {
 /// A light as the fog around it scatters it.
 typedef struct litfog_scattering_source {
   double intensity;     ///< m^2, of litfog_effective_intensity, in the densest layer; 0 in clear air and total fog
+  double soft_range;    ///< metres within which a lamp of 1 / r^2 counts as one that is weaker near it
   double phase_cosine;  ///< mean cosine of the phase function
   int32_t is_cone;      ///< 0: a point lamp
   litfog_scattered_beam beam;
@@ -465,7 +466,7 @@ LITFOG_API litfog_status litfog_make_thin_beams(const litfog_atmosphere* atmosph
 
 /// How the fog of an atmosphere scatters a light, whatever its place.
 ///
-/// beams  those of litfog_make_thin_beams for the atmosphere; they are not checked
+/// beams  those of litfog_make_thin_beams for the atmosphere
 LITFOG_API litfog_status litfog_make_scattering_source(const litfog_light* light, const litfog_atmosphere* atmosphere,
                                                        const litfog_thin_beams* beams,
                                                        litfog_scattering_source* source);

@@ -170,7 +170,7 @@ LitfogAirlight litfog_in_endless_fog(LitfogAirlight air, LitfogLayeredStretch st
 
 // M of a point lamp from a stretch, over the lamp's effective intensity.
 LITFOG_REAL litfog_scattered_in_stretch(LitfogAirlight air, LitfogSlab slab, LitfogLayeredStretch stretch,
-                                        LITFOG_REAL phase_cosine) {
+                                        LITFOG_REAL soft_range, LITFOG_REAL phase_cosine) {
   if (!(stretch.part > LITFOG_REAL(0.0))) return LITFOG_REAL(0.0);
   LITFOG_REAL along = stretch.place - air.approach;
   LITFOG_REAL range = litfog_airlight_range(air, along);
@@ -178,24 +178,26 @@ LITFOG_REAL litfog_scattered_in_stretch(LitfogAirlight air, LitfogSlab slab, Lit
   LITFOG_REAL kept =
       litfog_kept_in_slab(slab, stretch.fog, sqrt(max(range * range - rise * rise, LITFOG_REAL(0.0))), phase_cosine);
   LitfogAirlight endless = litfog_in_endless_fog(air, stretch);
+  LITFOG_REAL all = litfog_scattered_from(endless, stretch.from - air.approach, LITFOG_REAL(0.0), soft_range);
   LITFOG_REAL beyond = exp(-endless.density * (stretch.to - stretch.from)) *
-                       litfog_scattered_from(endless, stretch.to - air.approach, LITFOG_REAL(0.0));
-  return stretch.part * kept *
-         max(litfog_scattered_from(endless, stretch.from - air.approach, LITFOG_REAL(0.0)) - beyond, LITFOG_REAL(0.0));
+                       litfog_scattered_from(endless, stretch.to - air.approach, LITFOG_REAL(0.0), soft_range);
+  return stretch.part * kept * max(all - beyond, LITFOG_REAL(0.0));
 }
 
 // The light of litfog_scattered_light(), in layers, at a height.
 //
-// range   metres from the lamp
-// cosine  between the beam's axis and the direction away from the lamp
+// range       metres from the lamp
+// soft_range  of the lamp, metres
+// cosine      between the beam's axis and the direction away from the lamp
 LitfogScatteredLight litfog_scattered_light_in_layers(LitfogAirlight air, LITFOG_REAL height, LITFOG_REAL range,
-                                                      LITFOG_REAL beam, LITFOG_REAL cosine, LITFOG_REAL phase_cosine) {
+                                                      LITFOG_REAL soft_range, LITFOG_REAL beam, LITFOG_REAL cosine,
+                                                      LITFOG_REAL phase_cosine) {
   LitfogSlab slab = litfog_slab(air);
   LitfogEndlessFog fog = litfog_endless_fog(air, slab, height);
   LITFOG_REAL rise = height - air.lamp_height;
   LITFOG_REAL beside = sqrt(max(range * range - rise * rise, LITFOG_REAL(0.0)));
   LITFOG_REAL kept = litfog_kept_in_slab(slab, fog, beside, phase_cosine);
-  LitfogScatteredLight light = litfog_scattered_light(fog.density * range, range, beam, cosine);
+  LitfogScatteredLight light = litfog_scattered_light(fog.density, range, soft_range, beam, cosine, phase_cosine);
   light.all *= kept;
   light.radial *= kept;
   light.turned *= kept;
@@ -204,7 +206,7 @@ LitfogScatteredLight litfog_scattered_light_in_layers(LitfogAirlight air, LITFOG
 
 // M of a stretch of a ray between knots of layers, two distances from the eye, as litfog_layered_scattering() has it.
 LITFOG_REAL litfog_scattered_between_knots(LitfogAirlight air, LitfogSlab slab, LITFOG_REAL first, LITFOG_REAL last,
-                                           LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
+                                           LITFOG_REAL soft_range, LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
   const int pieces = 24;
   LITFOG_REAL near = max(air.approach, -air.approach) +
                      LITFOG_REAL(1.0) / min(litfog_largest_layer_density(air), litfog_densest_layer);
@@ -218,7 +220,7 @@ LITFOG_REAL litfog_scattered_between_knots(LitfogAirlight air, LitfogSlab slab, 
     LITFOG_REAL to = last;
     if (i < pieces) to = clamp(air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)), from, last);
     LitfogLayeredStretch stretch = litfog_layered_stretch(air, slab, from, to);
-    LITFOG_REAL scattered = litfog_scattered_in_stretch(air, slab, stretch, phase_cosine);
+    LITFOG_REAL scattered = litfog_scattered_in_stretch(air, slab, stretch, soft_range, phase_cosine);
     if (beam >= LITFOG_REAL(0.0) && scattered > LITFOG_REAL(0.0)) {
       LitfogAirlight endless = litfog_in_endless_fog(air, stretch);
       scattered *= litfog_beam_share(endless, stretch.place - air.approach, beam, phase_cosine);
@@ -231,8 +233,10 @@ LITFOG_REAL litfog_scattered_between_knots(LitfogAirlight air, LitfogSlab slab, 
 
 // M along a ray in layers, over the lamp's effective intensity.
 //
-// beam  index of the cone's ScatteredBeam; below 0 for a point lamp
-LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
+// soft_range  of the lamp, metres
+// beam        index of the cone's ScatteredBeam; below 0 for a point lamp
+LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LITFOG_REAL soft_range, LITFOG_REAL beam,
+                                      LITFOG_REAL phase_cosine) {
   LITFOG_REAL from = litfog_airlight_start_of_layers(air);
   LITFOG_REAL last = min(min(air.ray_length, litfog_airlight_end_of_layers(air, LITFOG_REAL(12.0))),
                          litfog_longest_layered_ray);
@@ -252,7 +256,7 @@ LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LITFOG_REAL beam, LITF
     LITFOG_REAL thinnest =
         min(litfog_airlight_density(air, from - air.approach), litfog_airlight_density(air, to - air.approach));
     LITFOG_REAL seen = min(to, from + LITFOG_REAL(12.0) / max(thinnest, LITFOG_REAL(1.0e-30)));
-    sum += litfog_scattered_between_knots(air, slab, from, seen, beam, phase_cosine);
+    sum += litfog_scattered_between_knots(air, slab, from, seen, soft_range, beam, phase_cosine);
     from = to;
   }
   return sum;

@@ -26,7 +26,7 @@ layout(set = LITFOG_SET, binding = LITFOG_SCATTERING_BINDING)
 uniform highp sampler2D litfog_scattering_table;
 
 float litfog_scattering_log(float depth, float angle) {
-  return textureLod(litfog_scattering_table, (vec2(angle, depth) + 0.5) / vec2(69.0, 45.0), 0.0).r;
+  return textureLod(litfog_scattering_table, (vec2(angle, depth) + 0.5) / vec2(69.0, 61.0), 0.0).r;
 }
 
 struct LitfogScatteredBeam {
@@ -59,12 +59,12 @@ LitfogScatteredBeam litfog_scattered_beam(float beam, float depth, float angle) 
 #define LITFOG_CONSTANT const
 #endif
 
-// The table's depths x go by equal steps of ln x + 0.3 x, its angles x in radians by equal steps of ln x + x / 2. These
+// The table's depths x go by equal steps of ln x + x / 5, its angles x in radians by equal steps of ln x + x / 2. These
 // are the first of each, its logarithm's place and the step.
 LITFOG_CONSTANT LITFOG_REAL litfog_least_scattering_depth = LITFOG_REAL(0.02);
-LITFOG_CONSTANT LITFOG_REAL litfog_most_scattering_depth = LITFOG_REAL(10.0);
-LITFOG_CONSTANT LITFOG_REAL litfog_first_scattering_depth = LITFOG_REAL(-3.906023005428146);
-LITFOG_CONSTANT LITFOG_REAL litfog_scattering_depth_step = LITFOG_REAL(0.2092865476914135);
+LITFOG_CONSTANT LITFOG_REAL litfog_most_scattering_depth = LITFOG_REAL(30.0);
+LITFOG_CONSTANT LITFOG_REAL litfog_first_scattering_depth = LITFOG_REAL(-3.908023005428146);
+LITFOG_CONSTANT LITFOG_REAL litfog_scattering_depth_step = LITFOG_REAL(0.2218203397848384);
 LITFOG_CONSTANT LITFOG_REAL litfog_least_scattering_angle = LITFOG_REAL(0.00349065850399);  // 0.2 degrees
 LITFOG_CONSTANT LITFOG_REAL litfog_first_scattering_angle = LITFOG_REAL(-5.655919548222917);
 LITFOG_CONSTANT LITFOG_REAL litfog_scattering_angle_step = LITFOG_REAL(0.1231094964833414);
@@ -81,36 +81,69 @@ LITFOG_CONSTANT LITFOG_REAL litfog_unturned_of_cosine = LITFOG_REAL(0.6);
 LITFOG_CONSTANT LITFOG_REAL litfog_edge_power = LITFOG_REAL(1.2);
 LITFOG_CONSTANT LITFOG_REAL litfog_edge_power_of_unturned = LITFOG_REAL(1.6);
 
+// Of litfog_softness(), fitted to the glow of lamps of 17 laws in fog of 11 phase functions: the angle, radians, over which
+// one lobe blurs less than all, and the distance within which it does not matter, in soft ranges a radian.
+LITFOG_CONSTANT LITFOG_REAL litfog_softening_width = LITFOG_REAL(1.1);
+LITFOG_CONSTANT LITFOG_REAL litfog_softening_near = LITFOG_REAL(0.15);
+
+// The soft range of the flow of light, over that of isotropic fog.
+LITFOG_CONSTANT LITFOG_REAL litfog_softening_flow = LITFOG_REAL(1.1);
+
 // M d^-2 of a lamp of 1 / r^2 in endless fog of density d, at an optical depth from the lamp and an angle between the ray
 // and the direction to the lamp. Depths and angles below the table's count as its first. Beyond its last depth the light
 // falls as that of diffusion does, by 1 / depth.
 LITFOG_REAL litfog_scattered_at(LITFOG_REAL depth, LITFOG_REAL angle) {
   LITFOG_REAL x = clamp(depth, litfog_least_scattering_depth, litfog_most_scattering_depth);
   LITFOG_REAL y = max(angle, litfog_least_scattering_angle);
-  LITFOG_REAL row = (log(x) + LITFOG_REAL(0.3) * x - litfog_first_scattering_depth) / litfog_scattering_depth_step;
+  LITFOG_REAL row = (log(x) + LITFOG_REAL(0.2) * x - litfog_first_scattering_depth) / litfog_scattering_depth_step;
   LITFOG_REAL column = (log(y) + LITFOG_REAL(0.5) * y - litfog_first_scattering_angle) / litfog_scattering_angle_step;
   return exp(litfog_scattering_log(row, column)) * (x / max(depth, x));
+}
+
+// The fraction of a lamp's soft range by which rays count as passing it farther off. What the peak of the phase function
+// hardly turns still comes almost straight from the lamp, so that small angles are blurred less, but close to the lamp.
+//
+// range  from the lamp, over the soft range
+// angle  between the ray and the direction to the lamp
+LITFOG_REAL litfog_softness(LitfogPhase phase, LITFOG_REAL range, LITFOG_REAL angle) {
+  LITFOG_REAL turned = LITFOG_REAL(1.0) - litfog_second_weight(phase);
+  LITFOG_REAL width = litfog_softening_width * turned * turned * sqrt(turned);
+  LITFOG_REAL rest = sqrt(min(phase.first.base, phase.second.base));  // 1 - g of the narrowest lobe
+  LITFOG_REAL wide = rest * (LITFOG_REAL(2.0) - rest);
+  LITFOG_REAL least = wide * sqrt(wide);
+  LITFOG_REAL narrow = width * (LITFOG_REAL(1.0) - least);
+  LITFOG_REAL near = litfog_softening_near * turned * narrow / max(range, LITFOG_REAL(1.0e-3));
+  LITFOG_REAL seen = width * least + angle + near * near;
+  return turned * seen / (seen + narrow);
 }
 
 // M, over the lamp's effective intensity, that a point on the ray receives from there on in endless fog. The point is at a
 // distance along the ray from the closest approach. Angles below the least one, radians, count as that. In the lamp itself
 // the angle is a right one, as atan(0, 0) is not defined.
-LITFOG_REAL litfog_scattered_from(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL least_angle) {
-  LITFOG_REAL depth = air.density * litfog_airlight_range(air, along);
-  return air.density * air.density * litfog_scattered_at(depth, max(atan(max(air.offset, LITFOG_REAL(1.0e-30)), -along), least_angle));
+//
+// soft_range  of the lamp, metres: soft_range() of litfog/multiple_scattering.h
+LITFOG_REAL litfog_scattered_from(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL least_angle, LITFOG_REAL soft_range) {
+  LITFOG_REAL range = litfog_airlight_range(air, along);
+  LITFOG_REAL offset = max(air.offset, LITFOG_REAL(1.0e-30));
+  if (soft_range > LITFOG_REAL(0.0)) {
+    LITFOG_REAL soft = soft_range * litfog_softness(air.phase, range / soft_range, max(atan(offset, -along), least_angle));
+    range = sqrt(range * range + soft * soft);
+    offset = sqrt(offset * offset + soft * soft);
+  }
+  return air.density * air.density * litfog_scattered_at(air.density * range, max(atan(offset, -along), least_angle));
 }
 
 // The same as the eye sees it through the fog before the point, a distance from the eye.
-LITFOG_REAL litfog_scattered_beyond(LitfogAirlight air, LITFOG_REAL range, LITFOG_REAL least_angle) {
-  return exp(-air.density * range) * litfog_scattered_from(air, range - air.approach, least_angle);
+LITFOG_REAL litfog_scattered_beyond(LitfogAirlight air, LITFOG_REAL range, LITFOG_REAL least_angle, LITFOG_REAL soft_range) {
+  return exp(-air.density * range) * litfog_scattered_from(air, range - air.approach, least_angle, soft_range);
 }
 
 // M of a point lamp along a ray of exp fog, over the lamp's effective intensity: what the eye would receive from endless
 // fog without what comes from beyond the ray's end.
-LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air) {
-  LITFOG_REAL all = litfog_scattered_from(air, -air.approach, LITFOG_REAL(0.0));
+LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL soft_range) {
+  LITFOG_REAL all = litfog_scattered_from(air, -air.approach, LITFOG_REAL(0.0), soft_range);
   if (!(air.ray_length < litfog_far)) return all;
-  return max(all - litfog_scattered_beyond(air, air.ray_length, LITFOG_REAL(0.0)), LITFOG_REAL(0.0));
+  return max(all - litfog_scattered_beyond(air, air.ray_length, LITFOG_REAL(0.0), soft_range), LITFOG_REAL(0.0));
 }
 
 // Henyey and Greenstein's phase function of a mean cosine.
@@ -159,23 +192,32 @@ struct LitfogScatteredLight {
 };
 
 // What flows away from a point lamp is (1 - e^-depth) / range^2, as the fog absorbs none; the rest is known by the beam.
+// A soft lamp counts as farther off.
 // litfog_diffuse_irradiance() of diffuse_light.glsl is what a surface receives of it.
 //
-// depth   optical, from the lamp
-// cosine  between the beam's axis and the direction away from the lamp
-LitfogScatteredLight litfog_scattered_light(LITFOG_REAL depth, LITFOG_REAL range, LITFOG_REAL beam, LITFOG_REAL cosine) {
+// density       of the fog, 1/m
+// range         from the lamp, metres
+// soft_range    of the lamp, metres
+// cosine        between the beam's axis and the direction away from the lamp
+// phase_cosine  mean cosine of the phase function
+LitfogScatteredLight litfog_scattered_light(LITFOG_REAL density, LITFOG_REAL range, LITFOG_REAL soft_range, LITFOG_REAL beam,
+                                            LITFOG_REAL cosine, LITFOG_REAL phase_cosine) {
+  LITFOG_REAL soft = sqrt(range * range + soft_range * soft_range);
+  LITFOG_REAL depth = density * soft;
   LITFOG_REAL row = log(clamp(depth, litfog_first_beam_depth, litfog_last_beam_depth) / litfog_first_beam_depth) / litfog_beam_depth_step;
   LitfogScatteredBeam scattered = litfog_scattered_beam(beam, row, acos(cosine) / litfog_beam_angle_step);
-  LITFOG_REAL flow = litfog_expm1(-depth) * LITFOG_REAL(-1.0) / (range * range);
+  LITFOG_REAL of_flow = litfog_softening_flow * soft_range / (LITFOG_REAL(1.0) + phase_cosine);
+  LITFOG_REAL flowing = sqrt(range * range + of_flow * of_flow);
+  LITFOG_REAL flow = litfog_expm1(-density * flowing) * LITFOG_REAL(-1.0) / (flowing * flowing) * (range / flowing);
   LitfogScatteredLight light;
-  light.all = flow * scattered.share / scattered.forward;
+  light.all = litfog_expm1(-depth) * LITFOG_REAL(-1.0) / (soft * soft) * scattered.share / scattered.forward;
   light.radial = flow * scattered.radial;
   light.turned = flow * scattered.turned;
   return light;
 }
 
 // M of a cone along a ray of exp fog, over the lamp's effective intensity: that of a point lamp, piece by piece of the ray.
-LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
+LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL soft_range, LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
   const int pieces = 32;
   LITFOG_REAL width = max(air.offset, LITFOG_REAL(1.0e-4) * (max(air.approach, -air.approach) + LITFOG_REAL(1.0) / air.density));
   LITFOG_REAL farthest = min(air.ray_length, max(air.approach, LITFOG_REAL(0.0)) + LITFOG_REAL(12.0) / air.density);
@@ -183,12 +225,12 @@ LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL beam, LIT
   LITFOG_REAL last = asinh((farthest - air.approach) / width);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
   LITFOG_REAL begin = LITFOG_REAL(0.0);
-  LITFOG_REAL beyond = litfog_scattered_from(air, -air.approach, LITFOG_REAL(0.0));
+  LITFOG_REAL beyond = litfog_scattered_from(air, -air.approach, LITFOG_REAL(0.0), soft_range);
   for (int i = 0; i < pieces; ++i) {
     LITFOG_REAL t = first + (last - first) * LITFOG_REAL(i + 1) / LITFOG_REAL(pieces);
     LITFOG_REAL end = i + 1 < pieces ? air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)) : farthest;
     end = clamp(end, begin, max(begin, farthest));
-    LITFOG_REAL next = litfog_scattered_beyond(air, end, LITFOG_REAL(0.0));
+    LITFOG_REAL next = litfog_scattered_beyond(air, end, LITFOG_REAL(0.0), soft_range);
     sum += max(beyond - next, LITFOG_REAL(0.0)) * litfog_beam_share(air, LITFOG_REAL(0.5) * (begin + end) - air.approach, beam, phase_cosine);
     begin = end;
     beyond = next;

@@ -58,8 +58,8 @@ void main() {
         slabs[slab] += lamp * scattered_in_layers(source, beside, fog_slab, stretch);
       }
     } else {
-      float before = source.x * litfog_scattered_beyond(air, begins[0], litfog_far_peak_angle);
-      float last = source.x * litfog_scattered_beyond(air, begins[slabs_at_once], litfog_far_peak_angle);
+      float before = source.x * litfog_scattered_beyond(air, begins[0], litfog_far_peak_angle, source.w);
+      float last = source.x * litfog_scattered_beyond(air, begins[slabs_at_once], litfog_far_peak_angle, source.w);
       if (max(max(lamp.r, lamp.g), lamp.b) * (before - last) < faint) {
         // It is spread over the slabs as the fog before them dims light.
         float middle = begins[slabs_at_once / 2];
@@ -77,7 +77,7 @@ void main() {
           float begin = begins[slab];
           float size = (begins[slab + 1] - begin) / float(slab_parts);
           begin += float(part % slab_parts) * size;
-          float next = source.x * litfog_scattered_beyond(air, begin + size, litfog_far_peak_angle);
+          float next = source.x * litfog_scattered_beyond(air, begin + size, litfog_far_peak_angle, source.w);
           slabs[slab] += lamp * (scattered_share(source, air, begin + 0.5 * size) * (before - next));
           before = next;
         }

@@ -15,14 +15,15 @@ float scattered_share(vec4 source, LitfogAirlight air, float seen) {
 }
 
 // The peak that reaches the eye from what lies behind a distance before the closest approach to the lamp.
-float peak_beyond(LitfogAirlight air, float before) {
+float peak_beyond(vec4 source, LitfogAirlight air, float before) {
   return exp(-air.density * (air.approach - before)) *
-         (litfog_scattered_from(air, -before, 0.0) - litfog_scattered_from(air, -before, litfog_far_peak_angle));
+         (litfog_scattered_from(air, -before, 0.0, source.w) -
+          litfog_scattered_from(air, -before, litfog_far_peak_angle, source.w));
 }
 
 // What a stretch of a ray adds in layers.
 float scattered_in_layers(vec4 source, LitfogAirlight air, LitfogSlab slab, LitfogLayeredStretch stretch) {
-  float scattered = source.x * litfog_scattered_in_stretch(air, slab, stretch, source.z);
+  float scattered = source.x * litfog_scattered_in_stretch(air, slab, stretch, source.w, source.z);
   if (!(scattered > 0.0)) return 0.0;
   return scattered * scattered_share(source, litfog_in_endless_fog(air, stretch), stretch.place);
 }
@@ -90,8 +91,8 @@ float higher_orders_peak(int light_index, LitfogAirlight air) {
   float end = max(air.approach - air.ray_length, first);
   if (!(air.approach > end)) return 0.0;
   vec4 source = texelFetch(scattering_sources, light_index);
-  float beyond = peak_beyond(air, air.approach);
-  float at_end = end > first ? peak_beyond(air, end) : 0.0;
+  float beyond = peak_beyond(source, air, air.approach);
+  float at_end = end > first ? peak_beyond(source, air, end) : 0.0;
   if (is_point) return source.x * max(beyond - at_end, 0.0);
   const int pieces = 4;
   float step = pow(max(end / air.approach, 1.0e-3), 1.0 / float(pieces));
@@ -99,7 +100,7 @@ float higher_orders_peak(int light_index, LitfogAirlight air) {
   float before = air.approach;
   for (int i = 0; i < pieces; ++i) {
     float next = before * step;
-    float beyond_next = i + 1 < pieces ? peak_beyond(air, next) : at_end;
+    float beyond_next = i + 1 < pieces ? peak_beyond(source, air, next) : at_end;
     sum += max(beyond - beyond_next, 0.0) * scattered_share(source, air, air.approach - 0.5 * (before + next));
     before = next;
     beyond = beyond_next;

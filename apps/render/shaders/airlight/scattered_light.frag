@@ -42,8 +42,8 @@ void main() {
     LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, seen);
     LitfogScatteredLight scattered =
         litfog_airlight_is_layered(air)
-            ? litfog_scattered_light_in_layers(air, position.y, range, source.y, cosine, source.z)
-            : litfog_scattered_light(air.density * range, range, source.y, cosine);
+            ? litfog_scattered_light_in_layers(air, position.y, range, source.w, source.y, cosine, source.z)
+            : litfog_scattered_light(air.density, range, source.w, source.y, cosine, source.z);
     vec3 color = source.x * light.color_intensity.rgb;
     float luminance = dot(color, vec3(0.2126, 0.7152, 0.0722));  // Rec. 709
     all.rgb += color * scattered.all;
