@@ -697,10 +697,12 @@ class AirlightTest(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, error):
                 call()
 
-    def test_sun_lights_fog_that_ends_above(self):
+    def test_sun_lights_fog_from_its_top_down(self):
         rays = np.zeros((2, 3), litfog.EYE_RAY)
         rays["direction"], rays["length"] = (0, 0, -1), np.linspace(10, 1000, 6).reshape(2, 3)
-        np.testing.assert_array_equal(litfog.directional_airlight(self.air, (0, 1, 0), rays), np.zeros((2, 3)))
+        hazy = litfog.Atmosphere(litfog.Fog("exp", 1e-4))  # up to 1200 m
+        lit = litfog.directional_airlight(hazy, (0, 1, 0), rays)
+        np.testing.assert_allclose(lit, math.exp(-0.12) * -np.expm1(-rays["length"] * 1e-4), rtol=1e-12)
         ground = litfog.Atmosphere(self.fog, top=40)
         lit, out = litfog.directional_airlight(ground, (0, 1, 0), rays), np.zeros((2, 3))
         self.assertIs(litfog.directional_airlight(ground, (0, 1, 0), rays, out=out), out)

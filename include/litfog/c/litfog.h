@@ -103,7 +103,8 @@ typedef struct litfog_atmosphere {
   litfog_fog fog;
   litfog_phase phase;
   double albedo;                   ///< [0, 1]: the fraction of the light taken by the fog that it scatters
-  double top;                      ///< metres: height at which rays to the sky leave the fog; INFINITY: they do not
+  double top;                      ///< metres: height at which rays to the sky leave the fog, if no layer is there or
+                                   ///< higher; INFINITY: they do not
   double ambient_fog_color[3];     ///< linear RGB, finite, >= 0
   litfog_density_profile profile;  ///< layers, in exp fog only; {0}: none
 } litfog_atmosphere;
@@ -372,7 +373,8 @@ LITFOG_API litfog_status litfog_reach_budget(double step, size_t lights, double 
 // --- sun and moon (litfog/directional_airlight.h) ---
 
 /// Airlight of a directional light along rays: the fraction that the fog scatters into the eye, a factor of the light's
-/// colour. It is 0 in fog that does not end above.
+/// colour. The light enters at the atmosphere's top, or at 1200 m where that is INFINITY, and at least at the height of
+/// the profile's last knot; a profile that is not 0 above its knots goes on for 1200 m above the last.
 ///
 /// atmosphere  exp fog
 /// to_light    its length is 1 within LITFOG_DIRECTION_TOLERANCE
