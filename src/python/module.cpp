@@ -578,7 +578,7 @@ void bind_lights(py::module_& m) {
                         field("base", &FogLayer::base, "metres; -infinity: it has no base"),
                         field("top", &FogLayer::top, "metres, above the base; infinity: it has no top"),
                         field("transition", &FogLayer::transition, "metres, finite, >= 0: height of each band"),
-                        field("visibility", &FogLayer::visibility, "metres, > 0; infinity is no fog"));
+                        field("visibility", &FogLayer::visibility, "metres, >= 1e-290; infinity is no fog"));
   using Knots = std::vector<std::pair<double, double>>;
   const auto profile_of = [](const Knots& pairs) {
     std::vector<DensityKnot> knots;

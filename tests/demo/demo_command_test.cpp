@@ -448,6 +448,13 @@ TEST_F(DemoCommand, LayersAreReadFromAFileOrLeftOut) {
   EXPECT_NE(read("low.exr"), read("clear.exr"));
   EXPECT_EQ(read("plain.exr"), read("clear.exr"));
   EXPECT_ERROR(run("room --layers wrong.json"), kBadInput, "wrong.json:1:25: [0].top_m = 1: must be above the base\n");
+  write("dense.json", R"([{"top_m": 5, "visibility_m": 1e-300}])");
+  EXPECT_ERROR(run("room --layers dense.json"), kBadInput,
+               "dense.json:1:31: [0].visibility_m = 1e-300: must be >= 1e-290\n");
+  write("high.json", R"([{"top_m": 16777216, "visibility_m": 9}])");
+  EXPECT_ERROR(run("room --layers high.json"), kBadInput,
+               "high.json:1:12: [0].top_m = 16777216: must be at most 16777216 in magnitude with its transition "
+               "band\n");
   expect_usage("room --fog exp2 --layers layers.json",
                "--fog = exp2: must be exp where the air has layers: --layers none draws it without");
   EXPECT_EQ(run("room --fog none --layers layers.json").status, kUsage);

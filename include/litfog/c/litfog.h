@@ -95,7 +95,7 @@ typedef struct litfog_fog_layer {
   double base;        ///< metres; -INFINITY: it has no base
   double top;         ///< metres, above the base; INFINITY: it has no top
   double transition;  ///< metres, finite, >= 0: height of each band
-  double visibility;  ///< metres, > 0; INFINITY is no fog
+  double visibility;  ///< metres, >= 1e-290; INFINITY is no fog
 } litfog_fog_layer;
 
 /// All that the air is. Its density at a height is the fog's plus the profile's.
