@@ -140,7 +140,7 @@ LITFOG_API litfog_status litfog_runway_visual_range(const litfog_fog* fog, doubl
                                                     double* metres);
 /// The lux at the eye from which a lamp is seen before a background (litfog/visual_threshold.h).
 ///
-/// background  luminance, cd/m2, finite, >= 0
+/// background  luminance, cd/m2, [0, 1e12]
 LITFOG_API litfog_status litfog_illuminance_threshold(double background, double* lux);
 
 /// The profile of layers, which add up where they overlap. A layer without base or top needs 2 knots, any other 4.
