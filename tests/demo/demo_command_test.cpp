@@ -457,6 +457,10 @@ TEST_F(DemoCommand, LayersAreReadFromAFileOrLeftOut) {
                "band\n");
   expect_usage("room --fog exp2 --layers layers.json",
                "--fog = exp2: must be exp where the air has layers: --layers none draws it without");
+  expect_usage("room --rvr 550 --layers layers.json",
+               "--rvr = 550: must be in air without layers, which change it: --layers none draws it without");
+  expect_usage("village --rvr 550",
+               "--rvr = 550: must be in air without layers, which change it: --layers none draws it without");
   EXPECT_EQ(run("room --fog none --layers layers.json").status, kUsage);
   EXPECT_EQ(run("room --layers absent.json").status, kBadInput);
 }
