@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/runway_lights.h"
 
-#include <fmt/format.h>
-
 #include "command/command.h"
 #include "litfog/runway_visual_range.h"
 
@@ -14,6 +12,8 @@ void add_runway_lights(CLI::App& app, RunwayLights& lights) {
       "Intensity in candela of the lamps of --rvr; 0: markings alone are seen (default 10000, a new edge light)");
   constexpr NumberRule kPositive{[](double x) { return x > 0 && kFiniteNotNegative.accepts(x); },
                                  "must be a finite number > 0"};
+  static constexpr NumberRule kBackground{[](double x) { return x >= 0 && x <= kMaxBackground; },
+                                          "must be a number in [0, 1e12]"};
   CLI::Option* const threshold =
       add_number(app, "--threshold-lx", lights.illuminance_threshold, kPositive,
                  "Lux at the eye from which a lamp is seen: 8e-7 at night, 1e-5 in twilight, 1e-4 by day, 1e-3 on a "
@@ -22,20 +22,14 @@ void add_runway_lights(CLI::App& app, RunwayLights& lights) {
     if (threshold->count() > 0) {
       throw CLI::ValidationError("--background-cd-m2 cannot be given with --threshold-lx: it gives the threshold");
     }
-    const auto background = parse_number(text, kFiniteNotNegative);
-    if (!background) fail_option("--background-cd-m2", text, kFiniteNotNegative.text);
+    const auto background = parse_number(text, kBackground);
+    if (!background) fail_option("--background-cd-m2", text, kBackground.text);
     lights.illuminance_threshold = illuminance_threshold(*background);
   };
   app.add_option_function<std::string>(
          "--background-cd-m2", parse,
          "Background's luminance in cd/m2, from which ICAO's relation gives --threshold-lx")
       ->type_name("NUMBER");
-}
-
-void expect_lamps_reach(double metres, const RunwayLights& lights) {
-  if (const auto error = find_runway_visual_range_error(metres, lights)) {
-    fail_option("--rvr", fmt::format("{}", error->value), error->rule);
-  }
 }
 
 }  // namespace litfog::command

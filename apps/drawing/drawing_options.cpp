@@ -138,6 +138,10 @@ Atmosphere DrawingOptions::atmosphere_of(const scene::Scene& scene, double metre
   if (air.profile.count > 0 && fog_mode() == FogMode::exp2) {
     command::fail_option("--fog", "exp2", "must be exp where the air has layers: --layers none draws it without");
   }
+  if (air.profile.count > 0 && runway_visual_range) {
+    command::fail_option("--rvr", fmt::format("{}", *runway_visual_range),
+                         "must be in air without layers, which change it: --layers none draws it without");
+  }
   if (const auto error = find_scattering_error(air); error && scattering == render::Scattering::all) {
     const std::string_view field = error->field;
     const char* const option = field == "fog.mode" ? "--fog" : field == "albedo" ? "--albedo" : "--phase";
@@ -171,12 +175,11 @@ void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
              [&options] { options.runway_visual_range.reset(); });
   command::add_contrast(app, options.contrast);
   command::add_runway_lights(app, options.runway_lights);
-  add_number(app, "--rvr", options.runway_visual_range, command::kNotNegative,
-             "Runway visual range in metres, in place of --visibility: how far lamps of --lamp-cd are seen",
-             [&options] {
-               options.visibility.reset();
-               command::expect_lamps_reach(*options.runway_visual_range, options.runway_lights);
-             });
+  add_number(
+      app, "--rvr", options.runway_visual_range, command::kNotNegative,
+      "Runway visual range in metres, in place of --visibility, in air without layers: how far lamps of --lamp-cd "
+      "are seen",
+      [&options] { options.visibility.reset(); });
   add_layers(app, options);
   add_phase(app, options);
 }

@@ -27,6 +27,13 @@ glm::dvec3 mapped_normal(const render::GeometrySample& sample, double scale) {
   return glm::normalize((t * bump.x + b * bump.y) * scale + n * bump.z);
 }
 
+/// The atmosphere relative to the renderer's origin, with light from outside entering where it does in the world.
+Atmosphere moonlit_air(const render::Renderer& renderer) {
+  Atmosphere air = renderer.atmosphere();
+  air.top = air.light_top();
+  return air.seen_from(renderer.origin().y);
+}
+
 }  // namespace
 
 std::optional<LightRay> ray_within(double range, const ReferenceLight& light, const glm::dvec3& position) {
@@ -44,6 +51,7 @@ PathModel::PathModel(const render::Renderer& renderer)
       atmosphere_(renderer.atmosphere().seen_from(renderer.origin().y)),
       materials_(renderer.materials()),
       lights_(reference_lights(renderer.scene(), renderer.atmosphere(), renderer.settings(), renderer.ends_exposure())),
+      moonlit_air_(moonlit_air(renderer)),
       is_fog_moonlit_(render::is_fog_moonlit(environment_, atmosphere_, settings_.fog_lighting)),
       airlight_budget_(kAirlightBudget * std::exp2(-renderer.exposure())),
       eye_(renderer.scene().camera.position - renderer.origin()),
@@ -128,7 +136,7 @@ glm::dvec3 PathModel::moonlight(const SurfacePoint& point) const {
   const glm::dvec3 direction = glm::normalize(glm::dvec3(environment_.moon_direction));
   const glm::dvec3 moon_color =
       glm::dvec3(environment_.moon_color) *
-      (is_fog_moonlit_ ? directional_fog_factor(atmosphere_, direction, point.position.y) : 1.0);
+      (is_fog_moonlit_ ? directional_fog_factor(moonlit_air_, direction, point.position.y) : 1.0);
   if (path_.evaluation == render::Evaluation::lookup) {  // Hales: the shading value, interpolated
     return moon_color * point.diffuse * std::clamp(point.vertex_moon_cosine, 0.0, 1.0);
   }
@@ -183,8 +191,13 @@ glm::dvec3 PathModel::moon_airlight(const glm::dvec3& position) const {
   if (!is_fog_moonlit_ || range == 0) return glm::dvec3(0.0);
   const EyeRay ray{.origin = eye_, .direction = (position - eye_) / range, .length = range};
   const glm::dvec3 to_moon = glm::normalize(glm::dvec3(environment_.moon_direction));
-  return airlight_unit(atmosphere_) * directional_airlight(atmosphere_, to_moon, ray) *
+  return airlight_unit(atmosphere_) * directional_airlight(moonlit_air_, to_moon, ray) *
          glm::dvec3(environment_.moon_color);
+}
+
+glm::dvec3 PathModel::moon_airlight_before_sky(const glm::dvec3& direction, double range) const {
+  if (direction.y > 0) range = std::min(range, std::max(moonlit_air_.light_top() - eye_.y, 0.0) / direction.y);
+  return moon_airlight(eye_ + direction * range);
 }
 
 double PathModel::airlight(const ReferenceLight& light, const EyeRay& ray) const {

@@ -95,6 +95,8 @@ class PathModel {
   Veil veil(const glm::dvec3& position) const;
   /// The directional light's airlight before a position; no shaft is cut out of it.
   glm::dvec3 moon_airlight(const glm::dvec3& position) const;
+  /// The same along a ray to the sky that runs so many metres through the fog: up to where moonlight enters.
+  glm::dvec3 moon_airlight_before_sky(const glm::dvec3& direction, double range) const;
   /// The opacity of the fog between the eye and a position.
   double opacity_before(const glm::dvec3& position) const;
   const glm::dvec3& eye() const { return eye_; }  ///< relative to the renderer's origin
@@ -124,6 +126,7 @@ class PathModel {
   std::vector<scene::Material> materials_;
   std::vector<ReferenceLight> lights_;
   std::optional<ScatteringTable> scattering_;  // of higher orders
+  Atmosphere moonlit_air_;
   bool is_fog_moonlit_;
   double airlight_budget_;
   std::optional<ReferenceShadows> shadows_;

@@ -150,9 +150,11 @@ class ReferenceShading {
   }
 
   Shade sky(const glm::dvec3& direction) const {
-    const glm::dvec3 position = eye_ + direction * fog_before_sky(fog_above_eye_, direction);
+    const double range = fog_before_sky(fog_above_eye_, direction);
+    const glm::dvec3 position = eye_ + direction * range;
     const Veil veil = model_.veil(position);
-    const glm::dvec3 color = veil.over(night_sky(model_.environment(), direction)) + model_.moon_airlight(position);
+    const glm::dvec3 color =
+        veil.over(night_sky(model_.environment(), direction)) + model_.moon_airlight_before_sky(direction, range);
     return {.color = color,
             .least = color,
             .most = color,

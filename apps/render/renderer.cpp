@@ -158,6 +158,7 @@ View Renderer::view() const {
   View view = view_of(relative_to(lights_.origin(), scene_.camera), {width(), height()},
                       atmosphere_.top_above(scene_.camera.position.y));
   view.is_fog_moonlit = is_fog_moonlit(scene_.environment, atmosphere_, settings_.fog_lighting);
+  view.light_top = atmosphere_.light_top() - lights_.origin().y;
   return view;
 }
 

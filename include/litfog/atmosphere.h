@@ -12,13 +12,18 @@
 
 namespace litfog {
 
+/// metres: height of the haze over which light from outside comes down where no top is stated: the scale height of
+/// aerosols, so that the haze has as much depth as if it thinned out upwards from height 0 (Tomoyuki Nishita et al.
+/// 1993, "Display of the Earth Taking into Account Atmospheric Scattering")
+inline constexpr double kHazeHeight = 1200;
+
 /// All that the air is. Its density at a height is the fog's plus the profile's.
 struct Atmosphere {
   Fog fog = {};
   Phase phase = {};
   double albedo = 1;  ///< [0, 1]: the fraction of the light taken by the fog that it scatters
-  /// metres: height at which rays to the sky leave the fog; taken as infinity where there is a profile, whose rays
-  /// leave the fog where its density is 0
+  /// metres: height at which rays to the sky leave the fog, if no layer is there or higher: top_above(). It is also
+  /// where light from outside enters: light_top().
   double top = std::numeric_limits<double>::infinity();
   glm::dvec3 ambient_fog_color{0.0};  ///< linear RGB, finite, >= 0: all of the fog's light that is no airlight
   DensityProfile profile = {};        ///< layers, in exp fog only; light classes scale its density like the fog's
@@ -32,8 +37,8 @@ struct Atmosphere {
     return air;
   }
 
-  /// The same air with its heights measured from another origin. What is so moved beyond 16777216 m in magnitude no
-  /// longer passes find_error().
+  /// The same air with its heights measured from another origin, but for kHazeHeight, which light_top() then has above
+  /// that one. What is so moved beyond 16777216 m in magnitude no longer passes find_error().
   ///
   /// height  of that origin, metres
   Atmosphere seen_from(double height) const;
@@ -56,11 +61,14 @@ struct Atmosphere {
     return profile.count == 0 ? fog : Fog{fog.mode, fog.density + least_mean_density(profile, height, lowest, highest)};
   }
 
-  /// How far rays to the sky are above a height when they leave the fog, metres; infinity: they do not leave it at a
-  /// top.
-  double top_above(double height) const {
-    return profile.count > 0 ? std::numeric_limits<double>::infinity() : top - height;
-  }
+  /// How far rays to the sky are above a height when they leave the fog, metres: at the top, or at the last knot where
+  /// that is higher. Infinity: they do not leave it at a top; nor do they leave a profile that is not 0 above its
+  /// knots.
+  double top_above(double height) const;
+  /// Height at which the light of the sun or the moon enters the fog, metres, finite where the top is not -infinity:
+  /// the top, or kHazeHeight where that is infinite, and at least the last knot's height. A profile that is not 0 above
+  /// its knots goes on for kHazeHeight above the last.
+  double light_top() const;
 };
 
 /// What is wrong with an atmosphere, or nothing.

@@ -50,18 +50,22 @@ std::optional<ValueError> find_error(const DensityProfile& profile);
 /// A layer of fog, as Weather Control of the Common Image Generator Interface states one. Within the layer the density
 /// is that of the visibility. The transition bands lie outside, below the base and above the top: in them the density
 /// falls linearly to 0. (By a vendor's description, bands lie above or below a layer; the interface control document
-/// was not at hand, and that the fall is linear is litfog's choice.) Finite heights are at most 16777216 in magnitude.
+/// was not at hand, and that the fall is linear is litfog's choice.) Finite heights are at most 16777216 in magnitude,
+/// bands included.
 struct FogLayer {
   double base = -std::numeric_limits<double>::infinity();  ///< metres; -infinity: it has no base
   double top = std::numeric_limits<double>::infinity();    ///< metres, above the base; infinity: it has no top
   double transition = 0;  ///< metres, finite, >= 0: height of each band; 0 is a step, made kSharpestTransition high
-  double visibility = std::numeric_limits<double>::infinity();  ///< metres, > 0; infinity is no fog
+  double visibility = std::numeric_limits<double>::infinity();  ///< metres, >= kLeastLayerVisibility; infinity: no fog
 
   friend bool operator==(const FogLayer&, const FogLayer&) = default;
 };
 
 /// Height in metres of the ramp that stands for a lower transition band.
 inline constexpr double kSharpestTransition = 0.01;
+
+/// Metres: a sum of layers as dense as this, by any contrast, is within the range of a knot's density.
+inline constexpr double kLeastLayerVisibility = 1e-290;
 
 /// What is wrong with a layer, or nothing.
 std::optional<ValueError> find_error(const FogLayer& layer);

@@ -9,15 +9,11 @@
 
 namespace litfog {
 
-/// Whether a directional light, such as the sun or the moon, can light the fog at all: exp fog that ends above, at a
-/// finite top or, with a profile, where the density above the last knot is 0. Other fog is endless towards the light:
-/// all that it is lit by is its ambient colour. (In exp2 fog depths do not add up along a leg of slanting fog.)
-bool is_open_above(const Atmosphere& atmosphere);
-
-/// Fraction of a directional light that passes through the fog down to a height, e^-depth along the light's own slant.
-/// Surfaces are lit by it.
+/// Fraction of a directional light, such as the sun or the moon, that passes through the fog down to a height, e^-depth
+/// along the light's own slant from Atmosphere::light_top(). Surfaces are lit by it. It is continuous where haze
+/// vanishes; only light at the horizon or below it is kept out by any, because fog is level.
 ///
-/// atmosphere  exp fog; if it is not open above, the fraction is 0 wherever there is fog
+/// atmosphere  exp fog (in exp2 fog depths do not add up along two legs)
 /// to_light    unit within kDirectionTolerance
 /// height      metres, at most kMaxPosition in magnitude
 /// returns     [0, 1]
@@ -31,12 +27,12 @@ inline constexpr double kDirectionalAirlightMaxError = 1e-11;
 ///   A = integral over s in [0, D] of  d(s) e^(-depth from the eye - depth to the light) phase(theta)  ds,
 /// in closed form, derived in litfog/shaders/directional_airlight.glsl. A white surface that faces the light outside
 /// the fog shows colour, the fog airlight_unit() * colour * A. It is single scattering: the ambient fog colour stands
-/// for the light that is scattered more often, and for other light. Columns of different lengths are a bug of the caller
-/// and assert.
+/// for the light that is scattered more often, and for other light. Columns of different lengths are a bug of the
+/// caller and assert.
 ///
 /// atmosphere  exp fog, as directional_fog_factor() takes it
 /// to_light    unit within kDirectionTolerance
-/// rays        as for a lamp; to the sky their length is that up to the top, where there is one, or infinite
+/// rays        as for a lamp; to the sky they end at Atmosphere::light_top(), above which fog is meant for other rays
 /// airlights   [0, largest_phase()]
 /// max error   kDirectionalAirlightMaxError                                             (directional_airlight_test.cpp)
 /// throws      std::invalid_argument naming field, value and rule, before any result is written

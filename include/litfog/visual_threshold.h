@@ -25,6 +25,8 @@ inline constexpr std::array<VisualThreshold, 5> kVisualThresholds{{
     {"bright day", 1e-3, "what a pilot sees on a bright day, commonly given after ICAO Annex 3, attachment D"},
 }};
 
+inline constexpr double kMaxBackground = 1e12;  ///< cd/m2; the sun's disc has 2e9
+
 /// The illuminance at the eye from which a point of light is just seen before a background: in lux, with B the
 /// background's luminance in cd/m2,
 ///   log10 E = 0.57 log10 B + 0.05 (log10 B)^2 - 6.66
@@ -32,7 +34,7 @@ inline constexpr std::array<VisualThreshold, 5> kVisualThresholds{{
 /// checked at its source; it passes midway between the pilot's steps above where these are commonly said to change, at
 /// 50, 1000 and 12,000 cd/m2). It falls with B down to 2e-6 cd/m2, and is taken as constant below.
 ///
-/// background  cd/m2, >= 0
+/// background  cd/m2, [0, kMaxBackground]
 double illuminance_threshold(double background);
 
 }  // namespace litfog

@@ -42,7 +42,7 @@ double finite_length(const Atmosphere& air, double height, double rise, double l
   double last_edge = 0;
   if (rise != 0) {
     for (const DensityKnot& knot : air.profile.used()) last_edge = std::max(last_edge, (knot.height - height) / rise);
-    if (std::isfinite(air.top)) last_edge = std::max(last_edge, (air.top - height) / rise);
+    last_edge = std::max(last_edge, (air.light_top() - height) / rise);
   }
   const double end = rise == 0 ? height : std::copysign(std::numeric_limits<double>::infinity(), rise);
   const double density = air.fog_at(end).density;
@@ -51,12 +51,6 @@ double finite_length(const Atmosphere& air, double height, double rise, double l
 
 }  // namespace
 
-bool is_open_above(const Atmosphere& atmosphere) {
-  if (atmosphere.fog.mode != FogMode::exp) return false;
-  if (atmosphere.profile.count == 0) return std::isfinite(atmosphere.top);
-  return atmosphere.fog_at(std::numeric_limits<double>::infinity()).density == 0;
-}
-
 double directional_fog_factor(const Atmosphere& atmosphere, const glm::dvec3& to_light, double height) {
   require_all(atmosphere, to_light);
   if (!is_within(height, -kMaxPosition, kMaxPosition)) {
@@ -64,7 +58,7 @@ double directional_fog_factor(const Atmosphere& atmosphere, const glm::dvec3& to
   }
   const double density = std::min(atmosphere.fog.density, kTotalFog);
   DirectionalText text{{atmosphere.profile}};
-  return std::exp(-text.litfog_depth_to_light(density, height, glm::normalize(to_light).y, atmosphere.top));
+  return std::exp(-text.litfog_depth_to_light(density, height, glm::normalize(to_light).y, atmosphere.light_top()));
 }
 
 void directional_airlight(const Atmosphere& atmosphere, const glm::dvec3& to_light, std::span<const EyeRay> rays,
@@ -75,15 +69,15 @@ void directional_airlight(const Atmosphere& atmosphere, const glm::dvec3& to_lig
   const glm::dvec3 light = glm::normalize(to_light);
   const double density = std::min(atmosphere.fog.density, kTotalFog);
   const auto phase = phase_text::pack<double>(atmosphere.phase);
+  const double top = atmosphere.light_top();
   DirectionalText text{{atmosphere.profile}};
   for (std::size_t i = 0; i < rays.size(); ++i) {
     const EyeRay& ray = rays[i];
     const glm::dvec3 direction = glm::normalize(ray.direction);
     const glm::dvec3 turn = direction - light;
     const double length = finite_length(atmosphere, ray.origin.y, direction.y, ray.length);
-    airlights[i] =
-        phase_text::litfog_phase(phase, glm::dot(turn, turn) / 2) *
-        text.litfog_directional_scattering(density, ray.origin.y, direction.y, length, light.y, atmosphere.top);
+    airlights[i] = phase_text::litfog_phase(phase, glm::dot(turn, turn) / 2) *
+                   text.litfog_directional_scattering(density, ray.origin.y, direction.y, length, light.y, top);
   }
 }
 

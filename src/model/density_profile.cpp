@@ -12,6 +12,7 @@ namespace litfog {
 namespace {
 
 constexpr const char* kHeightRule = "must be at most 16777216 in magnitude";
+constexpr const char* kBandRule = "must be at most 16777216 in magnitude with its transition band";
 
 struct KnotNames {
   const char* height;
@@ -24,6 +25,9 @@ constexpr std::array<KnotNames, kMaxDensityKnots> kKnotNames{
      LITFOG_KNOT_NAMES(5), LITFOG_KNOT_NAMES(6), LITFOG_KNOT_NAMES(7)}};
 #undef LITFOG_KNOT_NAMES
 
+/// The height of a layer's transition bands.
+double band_of(const FogLayer& layer) { return std::max(layer.transition, kSharpestTransition); }
+
 /// A layer's ramps: the density is 0 up to `first`, full from `base` to `top`, 0 from `last` on.
 struct LayerRamps {
   double first, base, top, last;
@@ -33,9 +37,8 @@ struct LayerRamps {
       : base(layer.base),
         top(layer.top),
         density(Fog::from_visibility(FogMode::exp, layer.visibility, contrast).density) {
-    const double band = std::max(layer.transition, kSharpestTransition);
-    first = base - band;
-    last = top + band;
+    first = base - band_of(layer);
+    last = top + band_of(layer);
   }
 
   double density_at(double height) const {
@@ -93,7 +96,15 @@ std::optional<ValueError> find_error(const FogLayer& layer) {
   if (!is_finite_and_not_negative(layer.transition)) {
     return ValueError{"transition", layer.transition, "must be finite and >= 0"};
   }
-  if (!(layer.visibility > 0)) return ValueError{"visibility", layer.visibility, "must be > 0"};
+  if (layer.base != -kInfinity && !(layer.base - band_of(layer) >= -kMaxPosition)) {
+    return ValueError{"base", layer.base, kBandRule};
+  }
+  if (layer.top != kInfinity && !(layer.top + band_of(layer) <= kMaxPosition)) {
+    return ValueError{"top", layer.top, kBandRule};
+  }
+  if (!(layer.visibility >= kLeastLayerVisibility)) {
+    return ValueError{"visibility", layer.visibility, "must be >= 1e-290"};
+  }
   return std::nullopt;
 }
 

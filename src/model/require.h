@@ -14,6 +14,7 @@
 #include "float_limit.h"
 #include "litfog/light.h"
 #include "litfog/value_error.h"
+#include "litfog/visual_threshold.h"
 
 namespace litfog {
 
@@ -37,8 +38,8 @@ inline void require_time(double seconds) {
 
 /// Throws for a background's luminance that has no illuminance_threshold.
 inline void require_background(double luminance) {
-  if (!is_finite_and_not_negative(luminance)) {
-    require(ValueError{"background", luminance, "must be finite and >= 0"});
+  if (!is_within(luminance, 0, kMaxBackground)) {
+    require(ValueError{"background", luminance, "must be in [0, 1e12]"});
   }
 }
 

@@ -578,7 +578,7 @@ void bind_lights(py::module_& m) {
                         field("base", &FogLayer::base, "metres; -infinity: it has no base"),
                         field("top", &FogLayer::top, "metres, above the base; infinity: it has no top"),
                         field("transition", &FogLayer::transition, "metres, finite, >= 0: height of each band"),
-                        field("visibility", &FogLayer::visibility, "metres, > 0; infinity is no fog"));
+                        field("visibility", &FogLayer::visibility, "metres, >= 1e-290; infinity is no fog"));
   using Knots = std::vector<std::pair<double, double>>;
   const auto profile_of = [](const Knots& pairs) {
     std::vector<DensityKnot> knots;
@@ -606,7 +606,8 @@ void bind_lights(py::module_& m) {
       m, "Atmosphere", "All that the air is. Its density at a height is the fog's plus the profile's.",
       field("fog", &Atmosphere::fog, "Fog"), field("phase", &Atmosphere::phase, "Phase"),
       field("albedo", &Atmosphere::albedo, "[0, 1]: the fraction of the light taken by the fog that it scatters"),
-      field("top", &Atmosphere::top, "metres: height at which rays to the sky leave the fog"),
+      field("top", &Atmosphere::top,
+            "metres: height at which rays to the sky leave the fog, if no layer is there or higher"),
       field("ambient_fog_color", &Atmosphere::ambient_fog_color, "linear RGB, finite, >= 0"),
       field("profile", &Atmosphere::profile, "DensityProfile: layers, in exp fog only"))
       .def(

@@ -49,9 +49,21 @@ TEST(Atmosphere, UniformFogIsTheSameBetweenAllHeights) {
   }
 }
 
-TEST(Atmosphere, TopIsOfUniformFogAlone) {
+TEST(Atmosphere, RaysLeaveAndLightEntersAtTheTopOrTheLastKnotAboveIt) {
   EXPECT_EQ(Atmosphere{.top = 60}.top_above(50), 10);
-  EXPECT_EQ(layered().top_above(50), kInfinity);
+  EXPECT_EQ(Atmosphere{.top = 60}.light_top(), 60);
+  EXPECT_EQ(Atmosphere{}.top_above(50), kInfinity);
+  EXPECT_EQ(Atmosphere{}.light_top(), kHazeHeight);
+  const std::array<DensityKnot, 2> ground{{{100, 0.1}, {120, 0}}}, cloud{{{100, 0}, {120, 0.1}}};
+  Atmosphere air{.top = 200, .profile = make_density_profile(ground)};
+  EXPECT_EQ(air.top_above(50), 150);
+  EXPECT_EQ(air.light_top(), 200);
+  air.top = 110;
+  EXPECT_EQ(air.top_above(50), 70);
+  EXPECT_EQ(air.light_top(), 120);
+  air.profile = make_density_profile(cloud);
+  EXPECT_EQ(air.top_above(50), kInfinity);
+  EXPECT_EQ(air.light_top(), 120 + kHazeHeight);
 }
 
 TEST(Atmosphere, AirSeenFromAnotherOriginIsTheSame) {

@@ -279,11 +279,28 @@ TEST(DensityProfile, WrongLayersAreErrorsThatNameTheMember) {
             "top = 2e+07: must be at most 16777216 in magnitude");
   EXPECT_EQ(error_of([] { profile_of_layers({FogLayer{.top = 10, .transition = -1, .visibility = 1}}); }),
             "transition = -1: must be finite and >= 0");
-  EXPECT_EQ(error_of([] { profile_of_layers({FogLayer{.top = 10, .visibility = 0}}); }), "visibility = 0: must be > 0");
+  for (const double visibility : {0.0, 1e-300, kNan}) {
+    EXPECT_TRUE(error_of([&] {
+                  profile_of_layers({FogLayer{.top = 10, .visibility = visibility}});
+                }).ends_with(": must be >= 1e-290"));
+  }
+  EXPECT_EQ(error_of([] { profile_of_layers({FogLayer{.base = -16777216, .visibility = 1}}); }),
+            "base = -16777216: must be at most 16777216 in magnitude with its transition band");
+  EXPECT_EQ(error_of([] { profile_of_layers({FogLayer{.top = 10, .transition = 1e308, .visibility = 1}}); }),
+            "top = 10: must be at most 16777216 in magnitude with its transition band");
   const std::vector<FogLayer> three{{.base = 0, .top = 1, .transition = 1, .visibility = 1},
                                     {.base = 10, .top = 11, .transition = 1, .visibility = 1},
                                     {.base = 20, .top = 21, .transition = 1, .visibility = 1}};
   EXPECT_EQ(error_of([&] { make_density_profile(three); }), "profile.count = 12: must be at most 8");
+}
+
+TEST(DensityProfile, LayersWithinTheirLimitsAreKnotsWithinTheirs) {
+  const FogLayer densest{.top = 16777200, .transition = 16, .visibility = kLeastLayerVisibility};
+  for (const double contrast : {kContrastMor, std::numeric_limits<double>::min()}) {
+    const DensityProfile profile = make_density_profile(std::vector(10'000, densest), contrast);
+    EXPECT_EQ(profile.knots[1].height, 16777216);
+    EXPECT_GT(largest_density(profile), 1e290);
+  }
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ TEST(VisualThreshold, ThresholdIsTheFormulasAndRisesWithTheBackground) {
   EXPECT_NEAR(illuminance_threshold(1000) / std::pow(10, 1.71 + 0.45 - 6.66), 1, 1e-12);
   double before = illuminance_threshold(0);
   EXPECT_EQ(illuminance_threshold(1e-7), before);
-  for (double background = 1e-5; background < 1e5; background *= 2) {
+  for (double background = 1e-5; background <= kMaxBackground; background *= 2) {
     const double threshold = illuminance_threshold(background);
     EXPECT_GT(threshold, before) << background;
     before = threshold;

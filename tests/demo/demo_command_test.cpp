@@ -449,8 +449,19 @@ TEST_F(DemoCommand, LayersAreReadFromAFileOrLeftOut) {
   EXPECT_NE(read("low.exr"), read("clear.exr"));
   EXPECT_EQ(read("plain.exr"), read("clear.exr"));
   EXPECT_ERROR(run("room --layers wrong.json"), kBadInput, "wrong.json:1:25: [0].top_m = 1: must be above the base\n");
+  write("dense.json", R"([{"top_m": 5, "visibility_m": 1e-300}])");
+  EXPECT_ERROR(run("room --layers dense.json"), kBadInput,
+               "dense.json:1:31: [0].visibility_m = 1e-300: must be >= 1e-290\n");
+  write("high.json", R"([{"top_m": 16777216, "visibility_m": 9}])");
+  EXPECT_ERROR(run("room --layers high.json"), kBadInput,
+               "high.json:1:12: [0].top_m = 16777216: must be at most 16777216 in magnitude with its transition "
+               "band\n");
   expect_usage("room --fog exp2 --layers layers.json",
                "--fog = exp2: must be exp where the air has layers: --layers none draws it without");
+  expect_usage("room --rvr 550 --layers layers.json",
+               "--rvr = 550: must be in air without layers, which change it: --layers none draws it without");
+  expect_usage("village --rvr 550",
+               "--rvr = 550: must be in air without layers, which change it: --layers none draws it without");
   EXPECT_EQ(run("room --fog none --layers layers.json").status, kUsage);
   EXPECT_EQ(run("room --layers absent.json").status, kBadInput);
 }
@@ -672,9 +683,6 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
   expect_usage("room --lamp-cd 5", "--lamp-cd cannot be given with the scene's visibility: only --rvr depends on them");
   expect_usage("room --visibility 9 --threshold-lx 1e-4",
                "--threshold-lx cannot be given with --visibility: only --rvr depends on them");
-  expect_usage("room --rvr 1001 --lamp-cd 100 --threshold-lx 1e-4",
-               "--rvr = 1001: must be at most sqrt(candela / illuminance_threshold), where the lamps are last seen in "
-               "clear air");
   expect_usage("list", "WHAT is required");
   expect_usage("list lamps", "WHAT = lamps: must be one of scenes|paths|lights");
   expect_usage("gallery -o ''", "--output = \"\": must not be empty");

@@ -23,10 +23,16 @@ TEST_F(DirectionalAirlightShader, AirlightAndFactorAreThoseOfTheLibrary) {
   const std::array<DensityKnot, 4> knots{{{0, 0.01}, {90, 0.02}, {100, 0.02}, {120, 0}}};
   const std::array<DensityKnot, 4> cloud{{{60, 0}, {80, 0.05}, {100, 0.05}, {105, 0}}};
   const Phase droplets = Phase::droplets(10);
-  const std::array<Atmosphere, 4> airs{{{.fog = {FogMode::exp, double(0.02f)}, .phase = droplets, .top = 90},
-                                        {.fog = {FogMode::exp, double(0.5f)}, .top = 90},
-                                        {.phase = droplets, .profile = make_density_profile(knots)},
-                                        {.profile = make_density_profile(cloud)}}};
+  std::array<Atmosphere, 7> airs{{{.fog = {FogMode::exp, double(0.02f)}, .phase = droplets, .top = 90},
+                                  {.fog = {FogMode::exp, double(0.5f)}, .top = 90},
+                                  {.phase = droplets, .profile = make_density_profile(knots)},
+                                  {.profile = make_density_profile(cloud)}}};
+  for (int i = 4; i < 7; ++i) {  // haze and layers, up to a top and without one
+    airs[std::size_t(i)] = {.fog = {FogMode::exp, double(2e-4f)},
+                            .top = i == 4 ? 200 : std::numeric_limits<double>::infinity(),
+                            .profile = airs[std::size_t(i - 2)].profile};
+  }
+  airs[6].profile = make_density_profile(std::span(cloud).first(3));  // goes on upwards
   const auto rays = random_points(
       [](Random& random) { return vec4(glm::vec3(draw_direction(random)), float(random.log_uniform(1e-2, 5e4))); });
   Random more(4144);
@@ -40,9 +46,11 @@ TEST_F(DirectionalAirlightShader, AirlightAndFactorAreThoseOfTheLibrary) {
     upload(air);
     const auto results = draw(
         "vec3 eye = vec3(3.0, given(1).w, -2.0);"
-        "float top = 90.0;"
-        "result = vec4(litfog_directional_airlight(eye, given(0).xyz, given(0).w, given(1).xyz, top),"
-        "              litfog_directional_factor(eye.y, given(1).xyz, top), 0.0, 0.0);",
+        "float top = " +
+            std::to_string(air.light_top()) +
+            ";"
+            "result = vec4(litfog_directional_airlight(eye, given(0).xyz, given(0).w, given(1).xyz, top),"
+            "              litfog_directional_factor(eye.y, given(1).xyz, top), 0.0, 0.0);",
         {rays, lights});
     for (std::size_t i = 0; i < rays.size(); ++i) {
       const dvec3 direction = glm::normalize(dvec3(rays[i])), to_light = glm::normalize(dvec3(lights[i]));

@@ -251,12 +251,17 @@ TEST_F(ReferencePictureTest, MoonlitFogIsDrawnAsTheReferenceHasIt) {
   scene.environment.sky_zenith = scene.environment.sky_horizon = {0.02f, 0.02f, 0.03f};
   scene.environment.moon_direction = glm::normalize(glm::vec3(0.2f, 0.5f, -1));
   scene.environment.moon_color = {0.3f, 0.3f, 0.4f};
-  std::vector<Atmosphere> airs(4, Atmosphere{.phase = Phase::droplets(10), .ambient_fog_color = glm::dvec3(0.01)});
+  std::vector<Atmosphere> airs(7, Atmosphere{.phase = Phase::droplets(10), .ambient_fog_color = glm::dvec3(0.01)});
   airs[0].profile = make_density_profile(std::span(&ground, 1));
   airs[1].profile = make_density_profile(std::span(&cloud, 1));
   airs[2].fog = airs[3].fog = fog;
   airs[2].top = 30;
   airs[3].top = 2;
+  for (std::size_t i = 4; i < 7; ++i) {  // haze and layers; the top of one is below its layer's
+    airs[i].fog = Fog::from_visibility(FogMode::exp, 3000.0);
+    airs[i].profile = airs[i % 2].profile;
+    if (i > 4) airs[i].top = 18;
+  }
   for (const LightingPath& path : lighting_paths()) {
     if (!path.takes_airlight || !path.has_reference) continue;
     for (const Atmosphere& air : airs) {
@@ -453,6 +458,32 @@ TEST_P(ReferenceOfScene, AirlightIsWithinAStepFromClearAirToAMetreOfVisibility) 
       const double bound = is_dense_cookie ? 4.3 : has_long_slabs ? 3.5 : name == "cookies" ? 1.2 : kAirlightBound;
       EXPECT_LE(error.largest, bound) << measured;
       EXPECT_LE(error.excluded, std::size_t(height * height / 50)) << measured;
+    }
+  }
+}
+
+TEST_F(ReferencePictureTest, MoonlitPictureInHazeThatVanishesIsThatWithoutHaze) {
+  for (const char* name : {"village", "street"}) {
+    Scene scene = read_scene(bundled_scene_path(name));
+    scene.lights.clear();
+    scene.atmosphere.profile = make_density_profile(scene.layers);
+    for (const double top : {scene.atmosphere.top, std::numeric_limits<double>::infinity(), 100.0}) {
+      scene.atmosphere.top = top;
+      for (const Scattering scattering : {Scattering::single, Scattering::all}) {
+        RenderSettings settings = by_airlight();
+        settings.scattering = scattering;
+        Renderer renderer(scene, 48, 27, settings);
+        renderer.set_exposure({.ev = 5});
+        const auto draw = [&](double visibility) {
+          renderer.set_atmosphere(scene.atmosphere.with(Fog::from_visibility(FogMode::exp, visibility)));
+          renderer.draw();
+          return renderer.read();
+        };
+        const Picture clear = draw(std::numeric_limits<double>::infinity()), haze = draw(1e9);
+        float most = 0;
+        for (std::size_t i = 0; i < clear.rgb.size(); ++i) most = std::max(most, std::abs(clear.rgb[i] - haze.rgb[i]));
+        EXPECT_LT(most * 32 * 255, 1) << name << ", top " << top;
+      }
     }
   }
 }

@@ -405,7 +405,7 @@ class SolveTest(unittest.TestCase):
             litfog.Fog.from_runway_visual_range(litfog.FogMode.exp, 1001, 100, 1e-4)
         with self.assertRaisesRegex(ValueError, "^candela = -1: must be finite and >= 0$"):
             litfog.runway_visual_range(fog, -1)
-        with self.assertRaisesRegex(ValueError, "^background = nan: must be finite and >= 0$"):
+        with self.assertRaisesRegex(ValueError, "^background = nan: must be in \[0, 1e12\]$"):
             litfog.illuminance_threshold(math.nan)
 
     def test_densities_of_arrays_are_those_of_single_fogs(self):
@@ -704,10 +704,12 @@ class AirlightTest(unittest.TestCase):
             with self.assertRaisesRegex(ValueError, error):
                 call()
 
-    def test_sun_lights_fog_that_ends_above(self):
+    def test_sun_lights_fog_from_its_top_down(self):
         rays = np.zeros((2, 3), litfog.EYE_RAY)
         rays["direction"], rays["length"] = (0, 0, -1), np.linspace(10, 1000, 6).reshape(2, 3)
-        np.testing.assert_array_equal(litfog.directional_airlight(self.air, (0, 1, 0), rays), np.zeros((2, 3)))
+        hazy = litfog.Atmosphere(litfog.Fog("exp", 1e-4))  # up to 1200 m
+        lit = litfog.directional_airlight(hazy, (0, 1, 0), rays)
+        np.testing.assert_allclose(lit, math.exp(-0.12) * -np.expm1(-rays["length"] * 1e-4), rtol=1e-12)
         ground = litfog.Atmosphere(self.fog, top=40)
         lit, out = litfog.directional_airlight(ground, (0, 1, 0), rays), np.zeros((2, 3))
         self.assertIs(litfog.directional_airlight(ground, (0, 1, 0), rays, out=out), out)

@@ -94,6 +94,29 @@ TEST_F(RendererTest, BeamInTheFogFollowsTheConeInEveryPixel) {
   }
 }
 
+TEST_F(RendererTest, CarriedLampLightsLayersByTheDensityAtTheEye) {
+  Scene scene = open_air(Cone{});
+  const FogLayer layer{.base = 10, .top = 30, .transition = 2, .visibility = 20};
+  const double haze = Fog::from_visibility(FogMode::exp, 60.0).density;
+  const double dense = Fog::from_visibility(FogMode::exp, layer.visibility).density;
+  Atmosphere air = scene.atmosphere.with({FogMode::exp, haze});
+  air.profile = make_density_profile(std::span(&layer, 1));
+  Renderer renderer(scene, kWidth, kHeight, {});
+  renderer.set_atmosphere(air);
+  for (const auto& [height, density] :
+       {std::pair{2.0, haze}, {9.0, haze + dense / 2}, {20.0, haze + dense}, {31.0, haze + dense / 2}, {40.0, haze}}) {
+    scene.camera.position.y = scene.camera.target.y = height;
+    renderer.draw();
+    const Light& lamp = scene.lights[0].light;
+    const double intensity = solve_fog_intensity(lamp, {FogMode::exp, density}).intensity;
+    const glm::dvec3 expected = air.ambient_fog_color + lamp.color * intensity;
+    const Picture picture = renderer.read();
+    for (int x = 0; x < kWidth; ++x) {
+      ASSERT_LT(glm::distance(pixel(picture, x, kHeight / 2), expected), kPixelTolerance) << "eye at " << height;
+    }
+  }
+}
+
 TEST_F(RendererTest, TotalFogHidesTheScene) {
   const Scene scene = read_scene(bundled_scene_path("room"));
   const Picture picture = draw(scene, Fog{FogMode::exp, std::numeric_limits<double>::infinity()});

@@ -43,6 +43,7 @@ constexpr std::array kRulesAcrossMembers{"must be a light file",
                                          "must be in a scene with a vehicle",
                                          "every copy's position",
                                          "must be above the base",
+                                         "with its transition band",
                                          "must have at most 8 heights"};
 
 class SceneSchema : public testing::Test {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 
-#include "litfog/directional_airlight.h"
 #include "render/gpu/uniform.h"
 
 namespace litfog::render {
@@ -15,13 +14,14 @@ void set_fog_top(const gl::Program& program, double above_eye) {
 }
 
 bool is_fog_moonlit(const scene::Environment& environment, const Atmosphere& atmosphere, FogLighting fog_lighting) {
-  return fog_lighting == FogLighting::airlight && environment.has_moon() && is_open_above(atmosphere);
+  return fog_lighting == FogLighting::airlight && environment.has_moon() && atmosphere.fog.mode == FogMode::exp &&
+         atmosphere.thickest_fog().density > 0;
 }
 
 void set_moonlight(const gl::Program& program, const View& view) {
-  constexpr double kHighest = 1e9;  // stands for infinity
+  constexpr double kHighest = 1e9;  // higher tops are endless, too
   set_uniform(program, "is_fog_moonlit", view.is_fog_moonlit);
-  set_uniform(program, "fog_top", float(std::clamp(double(view.eye.y) + view.top_above_eye, -kHighest, kHighest)));
+  set_uniform(program, "light_top", float(std::clamp(view.light_top, -kHighest, kHighest)));
 }
 
 }  // namespace litfog::render

@@ -19,6 +19,7 @@ struct View {
   double pixels_per_radian;       ///< at the picture's middle
   double top_above_eye;           ///< metres: the atmosphere's
   bool is_fog_moonlit = false;    ///< as is_fog_moonlit() of plan/fog_top.h has it
+  double light_top = 0;           ///< metres, in world space as the eye: Atmosphere::light_top()
 };
 
 /// Pixels per radian at the middle of a camera's picture.

@@ -5,11 +5,11 @@
 #include "litfog/shaders/directional_airlight.glsl"
 
 uniform bool is_fog_moonlit;
-uniform float fog_top;  // metres
+uniform float light_top;  // metres: Atmosphere::light_top()
 
 // Fraction of the directional light that passes through the fog down to a height.
 float moon_fog_factor(float height) {
-  return is_fog_moonlit ? litfog_directional_factor(height, moon_direction, fog_top) : 1.0;
+  return is_fog_moonlit ? litfog_directional_factor(height, moon_direction, light_top) : 1.0;
 }
 
 // What the fog between the eye and a position scatters of the directional light.
@@ -17,5 +17,12 @@ vec3 moon_airlight(vec3 position, vec3 eye) {
   float range = distance(position, eye);
   if (!is_fog_moonlit || range == 0.0) return vec3(0.0);
   return moon_color * (litfog_airlight_unit() * litfog_directional_airlight(eye, (position - eye) / range, range,
-                                                                            moon_direction, fog_top));
+                                                                            moon_direction, light_top));
+}
+
+// How far the moon lights the fog along a ray to the sky: up to where its light enters.
+//
+// range  metres that the ray runs through the fog
+float moonlit_before_sky(float range, vec3 direction, vec3 eye) {
+  return direction.y > 0.0 ? min(range, max(light_top - eye.y, 0.0) / direction.y) : range;
 }

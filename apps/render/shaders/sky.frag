@@ -18,6 +18,8 @@ out vec4 color;
 
 void main() {
   vec3 direction = normalize(seen_direction);
-  vec3 end = eye + direction * fog_before_sky(direction);
-  color = vec4(litfog_apply_fog(night_sky(direction), end, eye) + moon_airlight(end, eye), 1.0);
+  float range = fog_before_sky(direction);
+  color = vec4(litfog_apply_fog(night_sky(direction), eye + direction * range, eye) +
+                   moon_airlight(eye + direction * moonlit_before_sky(range, direction, eye), eye),
+               1.0);
 }

@@ -63,7 +63,7 @@ bool is_gltf_path(const std::string& path);
 /// angle, at least 0.001 apart in the cosine.
 ///
 /// Fog: the moon lights fog and sky as isotropic fog without end does, E / 4 pi, and they light surfaces. Ambient light
-/// and fog are otherwise a night's. In layers the moon's airlight comes on top, and the fog's colour stands for light
+/// and fog are otherwise a night's. In exp fog the moon's airlight comes on top, and the fog's colour stands for light
 /// scattered more than once.
 ///
 /// Visibilities: 10, 3 and 1 times the distance d from the camera to the farthest corner of the scene's box, each

@@ -29,9 +29,10 @@ namespace litfog::scene {
 ///       "visibilities_m": [500, 150, 50],                 optional: for the gallery; at most 16
 ///       "lit_at_vertices": true,                          optional: it shows light at vertices: only a gallery that
 ///                                                         names it draws it; default: false
-///       "fog_top_m": 120,                                 optional: the height at which rays to the sky leave the fog;
-///                                                         default: never, any fog hides the sky, and the moon
-///                                                         lights none of it (is_open_above())
+///       "fog_top_m": 120,                                 optional: the height at which rays to the sky leave the fog
+///                                                         and moonlight enters it (Atmosphere::top_above() and
+///                                                         light_top()); default: never, any fog hides the sky, and
+///                                                         1200
 ///       "phase_g": 0.8,                                   optional: short for the phase function hg:0.8
 ///       "atmosphere": {                                   optional: what the air is made of
 ///         "phase": "droplets:20",                         optional: the fog's phase function: isotropic, hg:G or

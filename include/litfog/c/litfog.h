@@ -95,7 +95,7 @@ typedef struct litfog_fog_layer {
   double base;        ///< metres; -INFINITY: it has no base
   double top;         ///< metres, above the base; INFINITY: it has no top
   double transition;  ///< metres, finite, >= 0: height of each band
-  double visibility;  ///< metres, > 0; INFINITY is no fog
+  double visibility;  ///< metres, >= 1e-290; INFINITY is no fog
 } litfog_fog_layer;
 
 /// All that the air is. Its density at a height is the fog's plus the profile's.
@@ -103,7 +103,8 @@ typedef struct litfog_atmosphere {
   litfog_fog fog;
   litfog_phase phase;
   double albedo;                   ///< [0, 1]: the fraction of the light taken by the fog that it scatters
-  double top;                      ///< metres: height at which rays to the sky leave the fog; INFINITY: they do not
+  double top;                      ///< metres: height at which rays to the sky leave the fog, if no layer is there or
+                                   ///< higher; INFINITY: they do not
   double ambient_fog_color[3];     ///< linear RGB, finite, >= 0
   litfog_density_profile profile;  ///< layers, in exp fog only; {0}: none
 } litfog_atmosphere;
@@ -127,9 +128,7 @@ LITFOG_API litfog_status litfog_phase_droplets(double micrometres, litfog_phase*
 /// The fog of a runway visual range, how far lamps or markings are seen (litfog/runway_visual_range.h).
 ///
 /// mode                   LITFOG_FOG_*
-/// metres                 >= 0, at most sqrt(candela / illuminance_threshold) unless candela is 0; infinity is no fog,
-/// 0
-///                        is total fog
+/// metres                 >= 0; infinity is no fog, 0 is total fog
 /// candela                a lamp's intensity, finite, >= 0; 0: markings alone are seen. 10,000 is a new edge light's.
 /// illuminance_threshold  lux at the eye from which a lamp is seen, finite, > 0; 8e-7 is a pilot's by night
 LITFOG_API litfog_status litfog_fog_from_runway_visual_range(int32_t mode, double metres, double candela,
@@ -139,7 +138,7 @@ LITFOG_API litfog_status litfog_runway_visual_range(const litfog_fog* fog, doubl
                                                     double* metres);
 /// The lux at the eye from which a lamp is seen before a background (litfog/visual_threshold.h).
 ///
-/// background  luminance, cd/m2, finite, >= 0
+/// background  luminance, cd/m2, [0, 1e12]
 LITFOG_API litfog_status litfog_illuminance_threshold(double background, double* lux);
 
 /// The profile of layers, which add up where they overlap. A layer without base or top needs 2 knots, any other 4.
@@ -372,7 +371,8 @@ LITFOG_API litfog_status litfog_reach_budget(double step, size_t lights, double 
 // --- sun and moon (litfog/directional_airlight.h) ---
 
 /// Airlight of a directional light along rays: the fraction that the fog scatters into the eye, a factor of the light's
-/// colour. It is 0 in fog that does not end above.
+/// colour. The light enters at the atmosphere's top, or at 1200 m where that is INFINITY, and at least at the height of
+/// the profile's last knot; a profile that is not 0 above its knots goes on for 1200 m above the last.
 ///
 /// atmosphere  exp fog
 /// to_light    its length is 1 within LITFOG_DIRECTION_TOLERANCE

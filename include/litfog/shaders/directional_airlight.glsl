@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: a directional light, such as the sun or the moon, in exp fog that ends above; single scattering. It adds
+// litfog: a directional light, such as the sun or the moon, in exp fog; single scattering. It adds
 // litfog_airlight_unit() * colour * litfog_directional_airlight() to what the eye sees, and lights surfaces through
-// litfog_directional_factor(). Fog that does not end above lets none of the light in, nor is exp2 fog meant here. GLSL
-// includes this file like any other; C++ takes the same text in src/airlight/directional_airlight.cpp.
+// litfog_directional_factor(). It is not for exp2 fog. GLSL includes this file like any other; C++ takes the same text
+// in src/airlight/directional_airlight.cpp.
 //
 // The fog is level, so that along a ray the depth of the light's leg changes in proportion to the depth t of the eye's
 // leg. With x the sum of both and D the ray's end the airlight is, whatever the density over height,
 //   phase * integral of e^-x dt = phase * t(D) * (e^-x(0) - e^-x(D)) / (x(D) - x(0)),
-// the slab of Subrahmanyan Chandrasekhar 1960, "Radiative Transfer", with its sources along the light. Fog of one
-// density fills the air above its top, too, for all rays but those to the sky (Atmosphere::top): there the light has no
-// leg, and a ray is cut where it crosses the top.
+// the slab of Subrahmanyan Chandrasekhar 1960, "Radiative Transfer", with its sources along the light. The light enters
+// at a top (Atmosphere::light_top), above which fog of one density still lies on all rays but those to the sky: there
+// the light has no leg, and a ray is cut where it crosses the top.
 
 #ifndef LITFOG_DIRECTIONAL_AIRLIGHT_GLSL
 #define LITFOG_DIRECTIONAL_AIRLIGHT_GLSL
@@ -24,16 +24,25 @@
 // Depth of the fog from a height to a light, at most 1e30, which stands for infinity.
 //
 // density  of the fog apart from layers, 1/m
-// slope    sine of the light's elevation
-// top      metres: height of the fog's top, where there are no layers
+// slope    sine of the light's elevation; light from below is kept out by fog without layers, which has no bottom
+// top      metres: Atmosphere::light_top()
 LITFOG_FUNCTION LITFOG_REAL litfog_depth_to_light(LITFOG_REAL density, LITFOG_REAL height, LITFOG_REAL slope,
                                                   LITFOG_REAL top) {
   LITFOG_REAL endless = LITFOG_REAL(1.0e30);
-  if (litfog_knot_count() > 0) {
+  if (slope < LITFOG_REAL(0.0)) {
     return density > LITFOG_REAL(0.0) ? endless : litfog_profile_depth_to_sky(height, slope, endless);
   }
-  if (density == LITFOG_REAL(0.0) || (height >= top && slope >= LITFOG_REAL(0.0))) return LITFOG_REAL(0.0);
-  return slope > LITFOG_REAL(0.0) ? min((top - height) / slope * density, endless) : endless;
+  if (height >= top) return LITFOG_REAL(0.0);
+  LITFOG_REAL column = density * (top - height);
+  if (litfog_knot_count() > 0) column += litfog_profile_column(height, top);
+  if (column == LITFOG_REAL(0.0)) return LITFOG_REAL(0.0);
+  return slope > LITFOG_REAL(0.0) ? min(column / slope, endless) : endless;
+}
+
+// Depth of the fog along a line between two heights, finite.
+LITFOG_FUNCTION LITFOG_REAL litfog_depth_between(LITFOG_REAL density, LITFOG_REAL height_a, LITFOG_REAL height_b,
+                                                 LITFOG_REAL range) {
+  return min((density + litfog_mean_density(height_a, height_b)) * range, LITFOG_REAL(1.0e29));
 }
 
 // Mean of e^-x between two x >= 0; 0 where one stands for infinity, because then no more than the other end is lit.
@@ -50,17 +59,19 @@ LITFOG_FUNCTION LITFOG_REAL litfog_mean_factor(LITFOG_REAL a, LITFOG_REAL b) {
 // range  metres along it, finite
 LITFOG_FUNCTION LITFOG_REAL litfog_directional_scattering(LITFOG_REAL density, LITFOG_REAL height, LITFOG_REAL rise,
                                                           LITFOG_REAL range, LITFOG_REAL slope, LITFOG_REAL top) {
-  bool is_layered = litfog_knot_count() > 0;
-  if (is_layered && slope == LITFOG_REAL(0.0)) return LITFOG_REAL(0.0);  // level light enters no layer
   LITFOG_REAL climb = rise * range;
   LITFOG_REAL end = height + climb;
-  LITFOG_REAL whole = min((density + litfog_mean_density(height, end)) * range, LITFOG_REAL(1.0e29));
   LITFOG_REAL at_eye = litfog_depth_to_light(density, height, slope, top);
-  LITFOG_REAL at_end = whole + litfog_depth_to_light(density, end, slope, top);
-  if (is_layered || (height < top) == (end < top)) return whole * litfog_mean_factor(at_eye, at_end);
-  LITFOG_REAL before = whole * ((top - height) / climb);
-  LITFOG_REAL beyond = whole * max(((height - top) + climb) / climb, LITFOG_REAL(0.0));
-  return before * litfog_mean_factor(at_eye, before) + beyond * litfog_mean_factor(before, at_end);
+  LITFOG_REAL leg_at_end = litfog_depth_to_light(density, end, slope, top);
+  if (slope < LITFOG_REAL(0.0) || (height < top) == (end < top)) {
+    LITFOG_REAL whole = litfog_depth_between(density, height, end, range);
+    return whole * litfog_mean_factor(at_eye, whole + leg_at_end);
+  }
+  LITFOG_REAL before = litfog_depth_between(density, height, top, (top - height) / climb * range);
+  LITFOG_REAL beyond = litfog_depth_between(density, top, end,
+                                            max(((height - top) + climb) / climb, LITFOG_REAL(0.0)) * range);
+  return before * litfog_mean_factor(at_eye, before) +
+         beyond * litfog_mean_factor(before, before + beyond + leg_at_end);
 }
 
 #undef LITFOG_FUNCTION
