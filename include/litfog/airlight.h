@@ -38,20 +38,24 @@ std::optional<ValueError> find_error(const EyeRay& ray);
 /// | any                | exp, exp2 | kAirlightMaxError in every ray                             | airlight_climb |
 /// | point              | exp       | kShapedAirlightMaxError instead, unless isotropic          | airlight_climb |
 /// | cone               | exp       | kShapedConeAirlightMaxError instead, unless isotropic      | airlight_climb |
+/// | point              | layers    | kShapedAirlightMaxError in every ray, unless isotropic     | airlight_climb |
+/// | any other          | layers    | kLayeredAirlightMaxError in every ray                      | airlight_climb |
 /// | point              | exp, exp2 | kAirlightTypicalError in 99 of 100 rays                    | airlight_test  |
 /// | cone               | exp, exp2 | kAirlightTypicalError in 99 of 100 rays above kDimAirlight | airlight_test  |
 /// | photometric        | exp, exp2 | kPhotometricAirlightMaxError in every ray                  | airlight_test  |
 ///
-/// The first three are fractions of the lamp's colour, or of the airlight where that is above 1. The other bounds are
-/// fractions of the airlight. Their rays are random, or pass a light at any one angle (0.1 to 179 degrees) and distance
-/// from the eye (0.02 to 4 fog scales, 1 / density), where rays of a point whose airlight is below 1e-12 do not count.
-/// A photometric light has a source radius of 0.02 to 2 m, is up to 1e5 times as bright as white, and counts where its
-/// colour times its airlight is above kDimPhotometricAirlight, a quarter of an 8-bit step. A cone's airlight below
-/// kDimAirlight is rounding at the cone's outermost edge, which no 8-bit display shows unless the lamp is over a
-/// million times as bright as white.
+/// kAirlightTypicalError holds in layers, too, and kPhotometricAirlightMaxError where they are of droplets or
+/// isotropic, the lamp is in or beside one and the lamp's leg is fogged. The first five are fractions of the lamp's
+/// colour, or of the airlight where that is above 1. The other bounds are fractions of the airlight. Their rays are
+/// random, or pass a light at any one angle (0.1 to 179 degrees) and distance from the eye (0.02 to 4 fog scales, 1 /
+/// density), where rays of a point whose airlight is below 1e-12 do not count. A photometric light has a source radius
+/// of 0.02 to 2 m, is up to 1e5 times as bright as white, and counts where its colour times its airlight is above
+/// kDimPhotometricAirlight, a quarter of an 8-bit step. A cone's airlight below kDimAirlight is rounding at the cone's
+/// outermost edge, which no 8-bit display shows unless the lamp is over a million times as bright as white.
 inline constexpr double kAirlightMaxError = 1 / 255.;
 inline constexpr double kShapedAirlightMaxError = 0.2;
 inline constexpr double kShapedConeAirlightMaxError = 3 / 255.;
+inline constexpr double kLayeredAirlightMaxError = 3 / 255.;
 inline constexpr double kAirlightTypicalError = 0.01;
 inline constexpr double kPhotometricAirlightMaxError = 0.035;
 inline constexpr double kDimPhotometricAirlight = 1e-3;

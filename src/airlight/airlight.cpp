@@ -2,6 +2,7 @@
 #include "litfog/airlight.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
@@ -41,10 +42,10 @@ struct SeenLight {
   /// Whether no product of the fast form leaves double's range.
   bool is_ordinary() const {
     const auto [constant, linear, quadratic] = light.light.attenuation;
-    for (const double x : {constant, linear, quadratic, light.light.threshold, class_fog.density}) {
-      if (x != 0 && !(x >= 1e-20 && x <= 1e20)) return false;
-    }
-    return true;
+    const auto is_moderate = [](double x) { return x == 0 || (x >= 1e-20 && x <= 1e20); };
+    return std::ranges::all_of(std::array{constant, linear, quadratic, light.light.threshold, class_fog.density},
+                               is_moderate) &&
+           std::ranges::all_of(layers.used(), is_moderate, &DensityKnot::density);
   }
 
   const PlacedLight& light;

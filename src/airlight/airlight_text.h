@@ -19,7 +19,7 @@ namespace litfog::airlight_text {
 using namespace formulas;  // those of cone_profile.glsl
 using namespace phase_text;
 using glm::sign;
-using std::abs, std::asinh, std::ceil, std::clamp, std::exp, std::floor, std::log, std::max, std::min, std::sqrt;
+using std::abs, std::asinh, std::ceil, std::clamp, std::exp, std::floor, std::log, std::max, std::min, std::pow, std::sqrt;
 
 /// a b - c d without cancellation (William Kahan's, as in Claude-Pierre Jeannerod, Nicolas Louvet and Jean-Michel
 /// Muller 2013, "Further analysis of Kahan's algorithm for the accurate computation of 2x2 determinants").

@@ -15,6 +15,7 @@
 #include "litfog/attenuation.h"
 #include "litfog/cone.h"
 #include "litfog/fog_light_block.h"
+#include "litfog/gl/fog_light_buffer.h"
 #include "reference/random_airlight.h"
 
 namespace litfog::test {
@@ -31,7 +32,7 @@ constexpr double kDim = 1e-5;  // fraction of white, a thirtieth of a step of th
 /// A case as the shader's floats hold it: the same lamp, fog and ray, seen from the origin along -z.
 struct ShaderCase {
   AirlightCase exact;
-  std::array<glm::vec4, 6> members;  // LitfogAirlight's members, in order, the phase's lobes last
+  std::array<glm::vec4, 6> members;  // LitfogAirlight's members, in order, the phase's lobes last; in layers see there
 };
 
 double rounded(double x) { return double(float(x)); }
@@ -76,26 +77,30 @@ ShaderCase shader_case(const AirlightCase& drawn) {
            glm::vec4(approach, offset, axis_offset, axis_slope), lobes[0], lobes[1]}};
 }
 
-std::vector<double> draw(const std::vector<ShaderCase>& cases) {
+std::vector<double> draw(const gl::Program& program, const std::vector<ShaderCase>& cases) {
   std::vector<std::vector<glm::vec4>> inputs(6);
   for (const ShaderCase& c : cases) {
     for (std::size_t row = 0; row < 6; ++row) inputs[row].push_back(c.members[row]);
   }
-  const gl::Program program = FormulaPixels::program(
-      "#define LITFOG_KNOT_COUNT 0\n#include \"test/input.glsl\"\n#include \"litfog/shaders/airlight.glsl\"\n"
-      "LitfogPhaseLobe lobe(vec4 x) { return LitfogPhaseLobe(x.x, x.y, x.z, x.w); }\n"
-      "void main() { vec4 a = given(0), b = given(1), c = given(2), d = given(3);\n"
-      "LitfogPhase phase = LitfogPhase(lobe(given(4)), lobe(given(5)));\n"
-      "result = vec4(litfog_airlight(LitfogAirlight(a.x, a.y, a.z, phase, b.x, b.y, b.z, b.w, c.x, c.y, c.z, c.w,\n"
-      "d.x, d.y, d.z, d.w, 0.0, 0.0, 0.0, 0.0, 0.0))); }\n");
   std::vector<double> airlights;
   for (const glm::vec4& result : FormulaPixels().draw(program, inputs)) airlights.push_back(double(result.x));
   return airlights;
 }
 
-void expect_stated_errors(const std::vector<ShaderCase>& cases, const std::string& what,
-                          double most = kAirlightMaxError) {
-  const std::vector<double> airlights = draw(cases);
+std::vector<double> draw(const std::vector<ShaderCase>& cases) {
+  return draw(
+      FormulaPixels::program(
+          "#define LITFOG_KNOT_COUNT 0\n#include \"test/input.glsl\"\n#include \"litfog/shaders/airlight.glsl\"\n"
+          "LitfogPhaseLobe lobe(vec4 x) { return LitfogPhaseLobe(x.x, x.y, x.z, x.w); }\n"
+          "void main() { vec4 a = given(0), b = given(1), c = given(2), d = given(3);\n"
+          "LitfogPhase phase = LitfogPhase(lobe(given(4)), lobe(given(5)));\n"
+          "result = vec4(litfog_airlight(LitfogAirlight(a.x, a.y, a.z, phase, b.x, b.y, b.z, b.w, c.x, c.y, c.z, c.w,\n"
+          "d.x, d.y, d.z, d.w, 0.0, 0.0, 0.0, 0.0, 0.0))); }\n"),
+      cases);
+}
+
+void expect_stated_errors(const std::vector<ShaderCase>& cases, const std::vector<double>& airlights,
+                          const std::string& what, double most = kAirlightMaxError) {
   double largest = 0;  // relative to the lamp's colour, or to the airlight where that is brighter
   std::string worst;
   std::vector<double> relative;
@@ -139,11 +144,66 @@ TEST_F(AirlightShader, AirlightInFloatsHasItsStatedErrors) {
       for (const bool is_spot : {false, true}) {
         const std::string what =
             fmt::format("{}, {}, k = {}", is_spot ? "spots" : "points", name_of(mode), leg == LampLeg::fogged ? 1 : 0);
-        expect_stated_errors(draw_cases(random, mode, leg, is_spot, true), what);
+        const auto isotropic = draw_cases(random, mode, leg, is_spot, true);
+        expect_stated_errors(isotropic, draw(isotropic), what);
+        const auto lobes = draw_cases(random, mode, leg, is_spot, false);
         const bool is_shaped = mode == FogMode::exp && leg == LampLeg::fogged && !is_spot;
-        expect_stated_errors(draw_cases(random, mode, leg, is_spot, false), what + ", lobes",
+        expect_stated_errors(lobes, draw(lobes), what + ", lobes",
                              is_shaped ? kShapedAirlightMaxError : kAirlightMaxError);
       }
+    }
+  }
+}
+
+/// A lamp in or near layers, and a ray: eye and length, direction and quadratic attenuation, lamp and extent, axis and
+/// profile, the cone's cosines.
+ShaderCase draw_layered_case(Random& random, const Atmosphere& atmosphere, bool is_spot) {
+  const auto draw_vector = [&](double size) { return glm::vec3(size * random.uniform(0, 1) * draw_direction(random)); };
+  const glm::vec3 eye = draw_vector(60), lamp = draw_vector(30), direction(draw_direction(random));
+  const glm::vec3 axis(draw_direction(random));
+  const float length = float(random.log_uniform(1, 500)), quadratic = float(random.log_uniform(1e-4, 1));
+  AirlightCase exact{.light = {}, .atmosphere = atmosphere, .ray = {}};
+  Light& light = exact.light.light;
+  light.attenuation = {1, 0, double(quadratic)};
+  light.threshold = 1e-3;
+  glm::vec2 cosines(0);
+  if (is_spot) {
+    cosines = {float(random.uniform(-0.9, 0.9)), float(random.uniform(0.91, 0.99))};
+    light.cone = Cone::smoothstep(std::acos(double(cosines.y)), std::acos(double(cosines.x)));
+  }
+  exact.light.position = glm::dvec3(lamp);
+  exact.light.direction = glm::normalize(glm::dvec3(axis));
+  exact.ray = {glm::dvec3(eye), glm::normalize(glm::dvec3(direction)), double(length)};
+  const double extent = compute_extent(light.attenuation, light.threshold);
+  return {exact,
+          {glm::vec4(eye, length), glm::vec4(direction, quadratic), glm::vec4(lamp, extent),
+           glm::vec4(axis, int(light.cone.profile)), glm::vec4(cosines, 0, 0), glm::vec4(0)}};
+}
+
+TEST_F(AirlightShader, AirlightInLayersInFloatsHasItsStatedErrors) {
+  const std::array<DensityKnot, 4> knots{{{-3, 0.02}, {0, 0.3}, {2, 0}, {40, 0.01}}};
+  Random random(79);
+  for (const Phase& phase : {Phase{}, Phase::droplets(10)}) {
+    const Atmosphere atmosphere{
+        .fog = {FogMode::exp, double(1e-4f)}, .phase = phase, .profile = make_density_profile(knots)};
+    const gl::Program program = FormulaPixels::program(
+        "#include \"test/input.glsl\"\n#include \"litfog/shaders/light_airlight.glsl\"\n"
+        "void main() { vec4 eye = given(0), ray = given(1), lamp = given(2), axis = given(3);\n"
+        "vec3 to_lamp = lamp.xyz - eye.xyz; float approach = dot(to_lamp, ray.xyz);\n"
+        "vec3 offset = approach * ray.xyz - to_lamp;\n"
+        "result = vec4(litfog_airlight(LitfogAirlight(litfog_fog.x, litfog_fog_mode(), 1.0, litfog_fog_phase(), 1.0, "
+        "0.0,\n"
+        "ray.w, lamp.w, axis.w, given(4).x, given(4).y, eye.w, approach, length(offset), dot(offset, axis.xyz),\n"
+        "dot(ray.xyz, axis.xyz), 0.0, 1.0, eye.y + approach * ray.y, ray.y, lamp.y))); }\n");
+    gl::FogLightBuffer buffer;
+    buffer.upload(pack_fog_light_block(atmosphere, {}, {}));
+    buffer.bind(program, 3);
+    for (const bool is_spot : {false, true}) {
+      std::vector<ShaderCase> cases;
+      while (cases.size() < kRays) cases.push_back(draw_layered_case(random, atmosphere, is_spot));
+      const bool is_shaped = !is_isotropic(phase) && !is_spot;
+      expect_stated_errors(cases, draw(program, cases), is_spot ? "spots in layers" : "points in layers",
+                           is_shaped ? kShapedAirlightMaxError : kLayeredAirlightMaxError);
     }
   }
 }

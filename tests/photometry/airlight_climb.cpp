@@ -63,7 +63,8 @@ double ratio_to_cone_bound(const AirlightCase& c) {
 /// The airlight over its bound on the stretch of a ray that is lit, but for what lies beyond the stretch's end in the
 /// fog: 2 % of the airlight, or 1e-6 where the stretch may be empty.
 double ratio_to_stretch_bound(const AirlightCase& c) {
-  airlight_text::Text<double, airlight_text::NoCookie> text{airlight_text::NoCookie{}};
+  const airlight_text::NoCookie no_cookie;
+  airlight_text::Text<double, airlight_text::NoCookie> text{no_cookie, c.atmosphere.profile};
   const Light& light = c.light.light;
   const auto air = text.seen_along(c.light, compute_extent(light.attenuation, light.threshold), c.atmosphere.fog, c.ray,
                                    c.lamp_leg, phase_text::pack<double>(c.atmosphere.phase));
@@ -90,11 +91,10 @@ struct Climb {
   std::optional<double> bound;  ///< absent: the error that is stated for the kind
   std::vector<LampShape> shapes;
   std::function<double(const AirlightCase&)> measure;
+  bool knows_layers = false;
   bool needs_isotropic_fog_on_both_legs = false;
 
-  double bound_of(const ClimbKind& kind) const {
-    return bound.value_or(255 * stated_error(kind));
-  }
+  double bound_of(const ClimbKind& kind) const { return bound.value_or(255 * stated_error(kind)); }
 };
 
 class Search {
@@ -110,6 +110,9 @@ class Search {
           for (const LampLeg leg : kLampLegs) {
             if (climb.needs_isotropic_fog_on_both_legs && (is_directional || leg == LampLeg::clear)) continue;
             is_good &= holds(climb, {shape, is_directional, mode, leg});
+            if (climb.knows_layers && mode == FogMode::exp) {
+              is_good &= holds(climb, {shape, is_directional, mode, leg, true});
+            }
           }
         }
       }
@@ -147,14 +150,15 @@ bool check_all(int starts, int steps, std::uint64_t seed) {
   Search search(starts, steps, seed);
   std::printf("function,lamps,fog,lamp_leg,g,rays,bound,worst\n");
   bool is_good = true;
-  for (const Climb& climb : {Climb{"airlight", {}, lamps, error_of_airlight},
-                             Climb{"airlight",
-                                   255 * kCookieAirlightMaxError,
-                                   {LampShape::cookie},
-                                   [&](const AirlightCase& c) { return error_of_cookie(cookie, c); }},
-                             Climb{"bound_airlight", 1, lamps, ratio_to_cone_bound},
-                             Climb{"litfog_airlight_bound", 1, lamps, ratio_to_stretch_bound},
-                             Climb{"litfog_largest_airlight", 1, {LampShape::point}, ratio_to_ray_bound, true}}) {
+  for (const Climb& climb :
+       {Climb{"airlight", {}, lamps, error_of_airlight, true},
+        Climb{"airlight",
+              255 * kCookieAirlightMaxError,
+              {LampShape::cookie},
+              [&](const AirlightCase& c) { return error_of_cookie(cookie, c); }},
+        Climb{"bound_airlight", 1, lamps, ratio_to_cone_bound, true},
+        Climb{"litfog_airlight_bound", 1, lamps, ratio_to_stretch_bound, true},
+        Climb{"litfog_largest_airlight", 1, {LampShape::point}, ratio_to_ray_bound, false, true}}) {
     is_good &= search.holds(climb);
   }
   return is_good;

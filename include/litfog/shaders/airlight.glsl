@@ -18,8 +18,8 @@
 // 5 of them and a fifth, so that a bright piece short in t is not left to one.
 //
 // Where a phase function shapes the integrand in exp fog, q is 0 and a point lamp takes 8 nodes a side, bent towards the
-// closest approach where the ray passes inside the falloff. In layers the ray is also cut at their knots; of a piece of
-// which the fog hides one end from the other only the brighter one counts.
+// closest approach where the ray passes inside the falloff. In layers the ray is also cut at their knots, and each piece
+// of it into steps of some optical depths, from the end that the fog hides least to where it hides the rest.
 //
 // Errors and what they were measured on: litfog/airlight.h. In floats they hold for cones of at least 0.02 radians and
 // lamps within 4e5 fog scales, for a float has too few digits of the cosine of a narrower cone and of a longer range; the
@@ -354,8 +354,8 @@ LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
     return litfog_is_isotropic(air.phase) ? LITFOG_REAL(128.0) : LITFOG_REAL(160.0);
   }
   if (litfog_airlight_is_layered(air)) {  // of each piece
-    if (litfog_has_cone(air.profile)) return LITFOG_REAL(16.0);
-    return litfog_is_isotropic(air.phase) ? LITFOG_REAL(8.0) : LITFOG_REAL(12.0);
+    if (litfog_has_cone(air.profile)) return LITFOG_REAL(24.0);
+    return litfog_is_isotropic(air.phase) ? LITFOG_REAL(12.0) : LITFOG_REAL(16.0);
   }
   if (litfog_airlight_is_shaped(air)) {
     if (!litfog_has_cone(air.profile)) return LITFOG_REAL(16.0);
@@ -692,7 +692,8 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
   if (air.offset >= air.extent) return stretch;
   if (litfog_airlight_is_layered(air)) {
     LitfogAirlightStretch lit = litfog_airlight_lit(air);
-    lit.high = min(lit.high, litfog_airlight_end_of_layers(air, LITFOG_REAL(100.0)) - air.approach);
+    LITFOG_REAL end = litfog_airlight_end_of_layers(air, LITFOG_REAL(100.0)) - air.approach;
+    lit.high = max(lit.low, min(lit.high, end));
     return lit;
   }
   if (!(air.density > LITFOG_REAL(0.0))) return stretch;
@@ -789,32 +790,11 @@ struct LitfogAirlightShape {
   LITFOG_REAL beam_width;
 };
 
-// The integral over a piece of a ray in layers, on which it is smooth. Where the fog hides one end from the other, it is
-// over what is left within 9 optical depths of the brighter end and as many more as the other end is lit more brightly.
-LITFOG_REAL litfog_airlight_piece(LitfogAirlight air, LitfogAirlightShape shape, LITFOG_REAL from, LITFOG_REAL to) {
-  LITFOG_REAL hidden = litfog_airlight_depth(air, to) - litfog_airlight_depth(air, from);
-  bool is_bright_first = hidden > LITFOG_REAL(0.0);
-  LITFOG_REAL bright = is_bright_first ? from : to;
-  LITFOG_REAL dim = is_bright_first ? to : from;
-  LITFOG_REAL bright_range = litfog_airlight_range(air, bright);
-  LITFOG_REAL dim_range = litfog_airlight_range(air, dim);
-  LITFOG_REAL gain = litfog_attenuation(dim_range, air.constant, air.linear, air.quadratic) /
-                     litfog_attenuation(bright_range, air.constant, air.linear, air.quadratic);
-  if (!litfog_is_isotropic(air.phase) && bright_range > LITFOG_REAL(0.0) && dim_range > LITFOG_REAL(0.0)) {
-    gain *= litfog_phase(air.phase, litfog_airlight_versine(air, dim, dim_range)) /
-            litfog_phase(air.phase, litfog_airlight_versine(air, bright, bright_range));
-  }
-  LITFOG_REAL kept = (LITFOG_REAL(9.0) + log(max(gain, LITFOG_REAL(1.0)))) / max(abs(hidden), LITFOG_REAL(1.0e-9));
-  if (kept < LITFOG_REAL(1.0)) {  // the fraction of the piece at which the integral of a linear density is that of the depths
-    LITFOG_REAL first = litfog_airlight_density(air, bright);
-    LITFOG_REAL last = litfog_airlight_density(air, dim);
-    LITFOG_REAL column = kept * (first + last);
-    LITFOG_REAL root = sqrt(max(first * first + (last - first) * column, LITFOG_REAL(0.0)));
-    dim = bright + (dim - bright) * min(column / max(first + root, LITFOG_REAL(1.0e-30)), LITFOG_REAL(1.0));
-  }
-  LITFOG_REAL low = min(bright, dim);
-  LITFOG_REAL high = max(bright, dim);
-
+// The integral over a step of a ray in layers, on which it is smooth and the optical depth of both legs grows by `hidden`
+// from low to high.
+LITFOG_REAL litfog_airlight_step(LitfogAirlight air, LitfogAirlightShape shape, LITFOG_REAL low, LITFOG_REAL high,
+                                 LITFOG_REAL hidden) {
+  if (!(high > low)) return LITFOG_REAL(0.0);
   LITFOG_REAL middle = LITFOG_REAL(0.5) * (low + high);
   bool by_crossing = shape.crosses && abs(middle - shape.crossing) < abs(middle);
   LitfogAirlightSide side;
@@ -844,8 +824,65 @@ LITFOG_REAL litfog_airlight_piece(LitfogAirlight air, LitfogAirlightShape shape,
   LITFOG_REAL changes = LITFOG_REAL(2.0) * (side.size - start) + min(abs(hidden), LITFOG_REAL(9.0));
   LITFOG_REAL most = air.nodes > LITFOG_REAL(0.0) ? air.nodes : litfog_airlight_nodes(air);
   if (nearest <= LITFOG_REAL(0.0) || litfog_has_cone(air.profile)) changes += LITFOG_REAL(2.0);
-  LITFOG_REAL nodes = clamp(ceil(LITFOG_REAL(0.2) * most * (LITFOG_REAL(1.0) + changes)), LITFOG_REAL(2.0), most);
-  return litfog_airlight_between(air, side, start, side.size, int(nodes));
+  LITFOG_REAL nodes = min(ceil(LITFOG_REAL(0.1) * most * (LITFOG_REAL(1.0) + changes)), most);
+  // No number of nodes comes from a NaN.
+  return litfog_airlight_between(air, side, start, side.size, nodes >= LITFOG_REAL(2.0) ? int(nodes) : 2);
+}
+
+// How brightly the lamp lights a point of the ray and the fog there scatters that to the eye, but for the optical depths.
+// The edge of a beam counts as a tenth of its axis, for what lies beside it is soon brighter.
+LITFOG_REAL litfog_airlight_shown(LitfogAirlight air, LITFOG_REAL along) {
+  LITFOG_REAL range = litfog_airlight_range(air, along);
+  LITFOG_REAL shown = litfog_attenuation(range, air.constant, air.linear, air.quadratic) *
+                      max(litfog_airlight_beam(air, along, range), LITFOG_REAL(0.1));
+  if (litfog_is_isotropic(air.phase) || range <= LITFOG_REAL(0.0)) return shown;
+  return shown * litfog_phase(air.phase, litfog_airlight_versine(air, along, range));
+}
+
+// The integral over a smooth piece of a ray in layers, of which the fog hides one end, `dim`, from the other by an optical
+// depth of both legs: in steps of some 6 depths, until 8 depths are passed and as many more as the dim end is lit more
+// brightly.
+LITFOG_REAL litfog_airlight_piece(LitfogAirlight air, LitfogAirlightShape shape, LITFOG_REAL bright, LITFOG_REAL dim,
+                                  LITFOG_REAL depth, LITFOG_REAL hidden) {
+  LITFOG_REAL left = LITFOG_REAL(8.0);
+  if (hidden > left) {
+    left += log(max(litfog_airlight_shown(air, dim) / litfog_airlight_shown(air, bright), LITFOG_REAL(1.0)));
+  }
+  LITFOG_REAL sum = LITFOG_REAL(0.0);
+  bool is_last = false;
+  int steps = 0;
+  do {
+    // The depth is taken for a power of the distance, and where it is not that power is corrected.
+    LITFOG_REAL whole = dim - bright;
+    LITFOG_REAL size = whole;
+    LITFOG_REAL passed = hidden;
+    LITFOG_REAL aim = LITFOG_REAL(6.0) / hidden;
+    LITFOG_REAL part = aim;
+    for (int i = 0; i < 6 && (passed > LITFOG_REAL(9.0) || (i > 0 && passed < LITFOG_REAL(2.5))); ++i) {
+      if (i > 0) part = pow(part, log(aim) / log(clamp(passed / hidden, LITFOG_REAL(1.0e-6), LITFOG_REAL(0.9))));
+      size = part * whole;
+      passed = litfog_airlight_depth(air, bright + size) - depth;
+    }
+    // Just inside a layer, the lamp's leg may grow far faster than the rest of the step.
+    bool is_even = air.lamp_leg == LITFOG_REAL(0.0);
+    for (int i = 0; i < 3 && !is_even && passed > LITFOG_REAL(1.5); ++i) {
+      LITFOG_REAL early = litfog_airlight_depth(air, bright + LITFOG_REAL(0.125) * size) - depth;
+      is_even = early < LITFOG_REAL(0.25) * passed;
+      if (!is_even) {
+        size *= LITFOG_REAL(0.125);
+        passed = early;
+      }
+    }
+    is_last = size == whole;
+    LITFOG_REAL end = is_last ? dim : bright + size;
+    sum += litfog_airlight_step(air, shape, min(bright, end), max(bright, end), whole > LITFOG_REAL(0.0) ? passed : -passed);
+    bright = end;
+    depth += passed;
+    hidden -= passed;
+    left -= passed;
+    ++steps;
+  } while (steps < 12 && !is_last && left > LITFOG_REAL(0.0));
+  return sum;
 }
 
 // The next end of a smooth piece after x, of those up to next.
@@ -860,7 +897,10 @@ LITFOG_REAL litfog_airlight_in_layers(LitfogAirlight air, LitfogAirlightStretch 
   inner.high = litfog_far;
   if (litfog_cone_has_inner_edge(air.profile)) inner = litfog_airlight_inside(air, air.cone_y);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
+  // Where the path from the lamp is steepest, that through the lamp's layer is shortest.
+  LITFOG_REAL steepest = air.rise * air.offset * air.offset / (air.height - air.lamp_height);
   LITFOG_REAL x = stretch.low;
+  LITFOG_REAL depth = litfog_airlight_depth(air, x);
   int pieces = 0;
   do {
     LITFOG_REAL next = litfog_airlight_cut(LITFOG_REAL(0.0), x, stretch.high);
@@ -878,12 +918,23 @@ LITFOG_REAL litfog_airlight_in_layers(LitfogAirlight air, LitfogAirlightStretch 
       LITFOG_REAL above = litfog_knot_height(i) - air.height;
       if (abs(above) < litfog_far * abs(air.rise)) next = litfog_airlight_cut(above / air.rise, x, next);
     }
+    LITFOG_REAL next_depth = litfog_airlight_depth(air, next);
+    if (air.lamp_leg > LITFOG_REAL(0.0) && steepest > x && steepest < next) {
+      LITFOG_REAL least = litfog_airlight_depth(air, steepest);
+      if (least < min(depth, next_depth) - LITFOG_REAL(1.0)) {
+        next = steepest;
+        next_depth = least;
+      }
+    }
     LITFOG_REAL middle = LITFOG_REAL(0.5) * (x + next);
     bool is_dark = middle > stretch.dark.low && middle < stretch.dark.high;
     if (!is_dark && litfog_airlight_density(air, middle) > LITFOG_REAL(0.0)) {
-      sum += litfog_airlight_piece(air, shape, x, next);
+      bool rises = next_depth > depth;
+      sum += litfog_airlight_piece(air, shape, rises ? x : next, rises ? next : x, min(depth, next_depth),
+                                   abs(next_depth - depth));
     }
     x = next;
+    depth = next_depth;
     ++pieces;
   } while (pieces < 24 && x < stretch.high);
   return sum;
@@ -933,7 +984,13 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   }
   if (litfog_has_cone(air.profile) && !crosses) {
     beam_width = clamp(beam_width, LITFOG_REAL(0.25) * air.offset, LITFOG_REAL(2.0) * air.offset);
-    width = min(width, max(beam_width, LITFOG_REAL(0.01) * falloff));
+    // Where the closest approach is in clear air, the layers' fog may be far thicker.
+    LITFOG_REAL scale = falloff;
+    if (is_layered) {
+      LITFOG_REAL thickest = air.density + air.layer_scale * litfog_largest_profile_density();
+      scale = min(falloff, max(air.offset, LITFOG_REAL(2.0) / thickest));
+    }
+    width = min(width, max(beam_width, LITFOG_REAL(0.01) * scale));
   }
   LITFOG_REAL largest = litfog_largest_phase(air.phase, LITFOG_REAL(0.0), LITFOG_REAL(2.0));
   if (is_layered) {
