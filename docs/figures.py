@@ -138,7 +138,7 @@ def airlight_frames():
     for single in only(rows, fog_light="single"):
         by_all = one(rows, scene=single["scene"], phase=single["phase"], fog_light="all")
         phase = f", {single['phase']}" if single["phase"] else ""
-        lines.append([single["scene"] + phase, number(single["lights"]), f"{single['ratio_to_peak']:.1f}",
+        lines.append([single["scene"] + phase, f"{single['lights']:,.0f}", f"{single['ratio_to_peak']:.1f}",
                       f"{by_all['ratio_to_peak']:.1f}", f"{by_all['ratio_to_single']:.1f}",
                       number(by_all["max_error_255"]), number(by_all["mean_error_255"])])
     return table(["scene", "lights", "single over peak", "all over peak", "all over single", "largest error, 1/255",
