@@ -18,8 +18,8 @@
 // 5 of them and a fifth, so that a bright piece short in t is not left to one.
 //
 // Where a phase function shapes the integrand in exp fog, q is 0 and a point lamp takes 8 nodes a side, bent towards the
-// closest approach where the ray passes inside the falloff. In layers the ray is also cut at their knots, and each piece
-// of it into steps of some optical depths, from the end that the fog hides least to where it hides the rest.
+// closest approach where the ray passes inside the falloff. In layers the ray is also cut at their knots, and each
+// piece of it into steps of some optical depths, from the end that the fog hides least to where it hides the rest.
 //
 // Errors and what they were measured on: litfog/airlight.h. In floats they hold for cones of at least 0.02 radians and
 // lamps within 4e5 fog scales, for a float has too few digits of the cosine of a narrower cone and of a longer range; the
@@ -790,8 +790,8 @@ struct LitfogAirlightShape {
   LITFOG_REAL beam_width;
 };
 
-// The integral over a step of a ray in layers, on which it is smooth and the optical depth of both legs grows by `hidden`
-// from low to high.
+// The integral over a step of a ray in layers, on which it is smooth and the optical depth of both legs grows by
+// `hidden` from low to high.
 LITFOG_REAL litfog_airlight_step(LitfogAirlight air, LitfogAirlightShape shape, LITFOG_REAL low, LITFOG_REAL high,
                                  LITFOG_REAL hidden) {
   if (!(high > low)) return LITFOG_REAL(0.0);
@@ -829,7 +829,7 @@ LITFOG_REAL litfog_airlight_step(LitfogAirlight air, LitfogAirlightShape shape, 
   return litfog_airlight_between(air, side, start, side.size, nodes >= LITFOG_REAL(2.0) ? int(nodes) : 2);
 }
 
-// How brightly the lamp lights a point of the ray and the fog there scatters that to the eye, but for the optical depths.
+// How brightly the lamp lights a point of the ray and the fog there scatters that to the eye, but for optical depths.
 // The edge of a beam counts as a tenth of its axis, for what lies beside it is soon brighter.
 LITFOG_REAL litfog_airlight_shown(LitfogAirlight air, LITFOG_REAL along) {
   LITFOG_REAL range = litfog_airlight_range(air, along);
@@ -839,9 +839,9 @@ LITFOG_REAL litfog_airlight_shown(LitfogAirlight air, LITFOG_REAL along) {
   return shown * litfog_phase(air.phase, litfog_airlight_versine(air, along, range));
 }
 
-// The integral over a smooth piece of a ray in layers, of which the fog hides one end, `dim`, from the other by an optical
-// depth of both legs: in steps of some 6 depths, until 8 depths are passed and as many more as the dim end is lit more
-// brightly.
+// The integral over a smooth piece of a ray in layers, of which the fog hides one end, `dim`, more than the other by an
+// optical depth of both legs: in steps of some 6 depths, until 8 depths are passed and as many more as the dim end is
+// lit more brightly.
 LITFOG_REAL litfog_airlight_piece(LitfogAirlight air, LitfogAirlightShape shape, LITFOG_REAL bright, LITFOG_REAL dim,
                                   LITFOG_REAL depth, LITFOG_REAL hidden) {
   LITFOG_REAL left = LITFOG_REAL(8.0);
@@ -875,7 +875,8 @@ LITFOG_REAL litfog_airlight_piece(LitfogAirlight air, LitfogAirlightShape shape,
     }
     is_last = size == whole;
     LITFOG_REAL end = is_last ? dim : bright + size;
-    sum += litfog_airlight_step(air, shape, min(bright, end), max(bright, end), whole > LITFOG_REAL(0.0) ? passed : -passed);
+    sum += litfog_airlight_step(air, shape, min(bright, end), max(bright, end),
+                                whole > LITFOG_REAL(0.0) ? passed : -passed);
     bright = end;
     depth += passed;
     hidden -= passed;
