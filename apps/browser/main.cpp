@@ -262,7 +262,7 @@ EMSCRIPTEN_KEEPALIVE int page_preset_count() { return int(window::kVisibilityPre
 EMSCRIPTEN_KEEPALIVE const char* page_preset_name(int i) { return window::kVisibilityPresets[std::size_t(i)].name; }
 /// mode  as of page_set_fog; returns metres of visibility
 EMSCRIPTEN_KEEPALIVE double page_preset_metres(int i, int mode, double contrast) {
-  return window::kVisibilityPresets[std::size_t(i)].visibility(FogMode(std::max(mode, 0)), contrast);
+  return window::kVisibilityPresets[std::size_t(i)].visibility(FogMode(std::max(mode, 0)), contrast).value();
 }
 EMSCRIPTEN_KEEPALIVE const char* page_preset_meaning(int i) {
   return window::kVisibilityPresets[std::size_t(i)].meaning;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "command/runway_lights.h"
 
+#include <fmt/format.h>
+
 #include "command/command.h"
 #include "litfog/runway_visual_range.h"
 
@@ -30,6 +32,12 @@ void add_runway_lights(CLI::App& app, RunwayLights& lights) {
          "--background-cd-m2", parse,
          "Background's luminance in cd/m2, from which ICAO's relation gives --threshold-lx")
       ->type_name("NUMBER");
+}
+
+void expect_lamps_reach(double metres, const RunwayLights& lights) {
+  if (const auto error = find_runway_visual_range_error(metres, lights)) {
+    fail_option("--rvr", fmt::format("{}", error->value), error->rule);
+  }
 }
 
 }  // namespace litfog::command

@@ -15,4 +15,7 @@ namespace litfog::command {
 /// CLI11 reads options in the order in which they are added: these come before --rvr.
 void add_runway_lights(CLI::App& app, RunwayLights& lights);
 
+/// Throws the usage error of an --rvr that no lamp reaches.
+void expect_lamps_reach(double metres, const RunwayLights& lights);
+
 }  // namespace litfog::command

@@ -382,6 +382,7 @@ void check_form(const CLI::App& app, const Options& options) {
   if (!is_given("--density") && !is_given("--visibility") && !is_given("--rvr")) {
     fail_form("a fog must be given: --visibility, --rvr or --density");
   }
+  for (const double metres : options.runway_visual_ranges) expect_lamps_reach(metres, options.runway_lights);
 }
 
 }  // namespace

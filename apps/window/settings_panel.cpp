@@ -43,10 +43,12 @@ void draw_presets(drawing::DrawingOptions& options) {
       ImGui::SameLine();
       if (ImGui::GetCursorPosX() + width > right) ImGui::NewLine();
     }
-    const double visibility = preset.visibility(options.fog_mode(), options.contrast, options.runway_lights);
+    const auto visibility = preset.visibility(options.fog_mode(), options.contrast, options.runway_lights);
+    ImGui::BeginDisabled(!visibility);
     if (ImGui::Button(preset.name)) options.visibility = visibility;
-    explain(preset.is_runway_visual_range
-                ? fmt::format("{}; visibility {} m", preset.meaning, shown_rounded(visibility, 4)).c_str()
+    ImGui::EndDisabled();
+    explain(preset.is_runway_visual_range && visibility
+                ? fmt::format("{}; visibility {} m", preset.meaning, shown_rounded(*visibility, 4)).c_str()
                 : preset.meaning);
   }
   ImGui::PopStyleVar();
@@ -133,7 +135,8 @@ std::string draw_fog(Session& session) {
   explain("The contrast that is left at the visibility: what its metres mean");
   const Fog fog = session.fog(session.edited);
   double range = runway_visual_range(fog, options.runway_lights);
-  if (slide("RVR", range, 10, 5000, std::isinf(range) ? "clear" : "%.4g m", ImGuiSliderFlags_Logarithmic)) {
+  if (slide("RVR", range, 10, 5000, std::isinf(range) ? "clear" : "%.4g m", ImGuiSliderFlags_Logarithmic) &&
+      !find_runway_visual_range_error(range, options.runway_lights)) {
     options.visibility = options.visibility_of_runway_visual_range(range);
   }
   explain(fmt::format("Runway visual range: how far lamps of {} cd are seen from {} lx at the eye, or markings\n"

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <limits>
+#include <optional>
 
 #include "litfog/runway_visual_range.h"
 
@@ -15,9 +16,10 @@ struct VisibilityPreset {
   bool is_runway_visual_range;
   const char* meaning;  ///< one sentence
 
-  /// Metres: the visibility in fog of a mode, by a contrast.
-  double visibility(FogMode mode, double contrast, const RunwayLights& lights = {}) const {
+  /// Metres: the visibility in fog of a mode, by a contrast; nothing where the lamps are not seen so far in clear air.
+  std::optional<double> visibility(FogMode mode, double contrast, const RunwayLights& lights = {}) const {
     if (!is_runway_visual_range) return metres;
+    if (find_runway_visual_range_error(metres, lights)) return std::nullopt;
     return litfog::visibility(fog_from_runway_visual_range(mode, metres, lights), contrast);
   }
 };

@@ -21,6 +21,9 @@ struct RunwayLights {
 /// What is wrong with runway lights, or nothing.
 std::optional<ValueError> find_error(const RunwayLights& lights);
 
+/// What is wrong with a runway visual range that lamps, which must pass find_error(), are to have, or nothing.
+std::optional<ValueError> find_runway_visual_range_error(double metres, const RunwayLights& lights);
+
 /// Largest errors of the density and of the way there and back, both relative.
 inline constexpr double kRunwayDensityMaxError = 1e-13;
 inline constexpr double kRunwayRoundTripMaxError = 1e-13;
@@ -31,15 +34,16 @@ inline constexpr double kRunwayRoundTripMaxError = 1e-13;
 ///   lamps     I f(R) / R^2 = E         Allard 1876
 ///   markings  f(R) = kContrastMor      Koschmieder 1924, with the contrast of ICAO
 /// (as in ICAO Doc 9328, quoted at second hand, not checked at its source). The fog is the denser of the two. Both are
-/// stated for `exp` fog; in `exp2` fog they hold with its own f. Where R is more than sqrt(I / E), at which the lamps
-/// are last seen in clear air, it is the markings' range.
+/// stated for `exp` fog; in `exp2` fog they hold with its own f.
 ///
-/// metres     R >= 0; 0 is total fog, infinity clear air
+/// metres     R >= 0; 0 is total fog, infinity clear air. A finite R must not exceed sqrt(I / E), where the lamps are
+///            last seen in clear air, unless I is 0.
 /// max error  kRunwayDensityMaxError                                            (runway_visual_range_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 Fog fog_from_runway_visual_range(FogMode mode, double metres, const RunwayLights& lights = {});
 
-/// The runway visual range of a fog, the inverse of fog_from_runway_visual_range for all ranges and fogs.
+/// The runway visual range of a fog, the inverse of fog_from_runway_visual_range. Fog so thin that markings are seen
+/// farther than the lamps are in clear air has the markings' range.
 ///
 /// returns    metres; 0 in total fog, infinity in clear air
 /// max error  kRunwayRoundTripMaxError there and back                           (runway_visual_range_test.cpp)

@@ -30,9 +30,20 @@ std::optional<ValueError> find_error(const RunwayLights& lights) {
   return std::nullopt;
 }
 
+std::optional<ValueError> find_runway_visual_range_error(double metres, const RunwayLights& lights) {
+  if (!(metres >= 0)) return ValueError{"runway_visual_range", metres, "must be >= 0"};
+  const double reach = std::sqrt(lights.candela) / std::sqrt(lights.illuminance_threshold);
+  if (lights.candela > 0 && std::isfinite(metres) && !is_within(metres, 0, reach)) {
+    return ValueError{"runway_visual_range", metres,
+                      "must be at most sqrt(candela / illuminance_threshold), where the lamps are last seen in clear "
+                      "air"};
+  }
+  return std::nullopt;
+}
+
 Fog fog_from_runway_visual_range(FogMode mode, double metres, const RunwayLights& lights) {
   require(find_error(lights));
-  if (!(metres >= 0)) require(ValueError{"runway_visual_range", metres, "must be >= 0"});
+  require(find_runway_visual_range_error(metres, lights));
   metres = std::abs(metres);  // -0 is 0
   const double lamp_depth = log_brightness(lights) - 2 * std::log(metres);
   const double depth = std::max(marking_depth(), lamp_depth);  // the first where the second is NaN: 0 cd and 0 m

@@ -659,8 +659,10 @@ TEST_F(CFace, RunwayVisualRangeIsThatOfCppBothWays) {
   ASSERT_EQ(litfog_illuminance_threshold(40, &threshold), LITFOG_OK);
   EXPECT_EQ(threshold, illuminance_threshold(40));
 
-  EXPECT_EQ(litfog_fog_from_runway_visual_range(LITFOG_FOG_EXP, -1, 100, 1e-4, &fog), LITFOG_INVALID_ARGUMENT);
-  EXPECT_STREQ(litfog_last_error(), "runway_visual_range = -1: must be >= 0");
+  EXPECT_EQ(litfog_fog_from_runway_visual_range(LITFOG_FOG_EXP, 1001, 100, 1e-4, &fog), LITFOG_INVALID_ARGUMENT);
+  EXPECT_STREQ(litfog_last_error(),
+               "runway_visual_range = 1001: must be at most sqrt(candela / illuminance_threshold), where the lamps are "
+               "last seen in clear air");
   EXPECT_EQ(litfog_runway_visual_range(&fog, 100, 0, &metres), LITFOG_INVALID_ARGUMENT);
   EXPECT_STREQ(litfog_last_error(), "illuminance_threshold = 0: must be finite and > 0");
   for (const double background : {-1.0, 1e308, kInfinity, kNaN}) {

@@ -683,6 +683,9 @@ TEST_F(DemoCommand, OptionsWithoutEffectAreErrors) {
   expect_usage("room --lamp-cd 5", "--lamp-cd cannot be given with the scene's visibility: only --rvr depends on them");
   expect_usage("room --visibility 9 --threshold-lx 1e-4",
                "--threshold-lx cannot be given with --visibility: only --rvr depends on them");
+  expect_usage("room --rvr 1001 --lamp-cd 100 --threshold-lx 1e-4",
+               "--rvr = 1001: must be at most sqrt(candela / illuminance_threshold), where the lamps are last seen in "
+               "clear air");
   expect_usage("list", "WHAT is required");
   expect_usage("list lamps", "WHAT = lamps: must be one of scenes|paths|lights");
   expect_usage("gallery -o ''", "--output = \"\": must not be empty");

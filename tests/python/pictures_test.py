@@ -135,6 +135,7 @@ class PicturesTest(unittest.TestCase):
             ({"size": (0, 5)}, ValueError, "size = 0x5: must be WIDTHxHEIGHT"),
             ({"camera": (1, 2)}, ValueError, "camera = 1,2: must be three numbers"),
             ({"fog": "none", "visibility": 9}, ValueError, "visibility cannot be given with fog none: the air is clear"),
+            ({"rvr": 2e6}, ValueError, "rvr = 2000000: must be at most sqrt(candela / illuminance_threshold)"),
             ({"time": 3}, ValueError, "time cannot be given with room: none of its lights turns or flashes"),
             ({"set": 7}, TypeError, "set: must be a dictionary"),
             ({"set": {"lights[0].zzz": 7}}, litfog.InputError, "--set"),

@@ -238,6 +238,9 @@ TEST_F(SolveCommand, WrongValuesAreUsageErrors) {
   expect("--constant 1 --visibility 1 --contrast 0",
          "--contrast = 0: must be mor, koschmieder, flightgear or a number in (0, 1)");
   expect("--constant 1 --rvr 550,-1", "--rvr = -1: must be a number >= 0 or inf");
+  expect("--constant 1 --rvr 1000,1001 --lamp-cd 100 --threshold-lx 1e-4",
+         "--rvr = 1001: must be at most sqrt(candela / illuminance_threshold), where the lamps are last seen in clear "
+         "air");
   expect("--constant 1 --rvr 550 --lamp-cd -1", "--lamp-cd = -1: must be a finite number >= 0");
   expect("--constant 1 --rvr 550 --threshold-lx 0", "--threshold-lx = 0: must be a finite number > 0");
   expect("--constant 1 --rvr 550 --background-cd-m2 inf", "--background-cd-m2 = inf: must be a number in [0, 1e12]");

@@ -39,12 +39,13 @@ TEST(Session, RunwayVisualRangeBecomesAVisibility) {
 }
 
 TEST(Session, PresetsOfCategoriesAreRunwayVisualRangesByAnyContrast) {
+  const RunwayLights dim{.candela = 10, .illuminance_threshold = 1e-3};  // seen for 100 m in clear air
   for (const VisibilityPreset& preset : kVisibilityPresets) {
     const bool is_category = std::string_view(preset.name).starts_with("CAT");
     EXPECT_EQ(preset.is_runway_visual_range, is_category);
     for (const FogMode mode : {FogMode::exp, FogMode::exp2}) {
       for (const double contrast : {kContrastMor, kContrastFlightgear}) {
-        const double metres = preset.visibility(mode, contrast);
+        const double metres = preset.visibility(mode, contrast).value();
         if (is_category) {
           EXPECT_NEAR(runway_visual_range(Fog::from_visibility(mode, metres, contrast)), preset.metres, 1e-9);
         } else {
@@ -52,6 +53,7 @@ TEST(Session, PresetsOfCategoriesAreRunwayVisualRangesByAnyContrast) {
         }
       }
     }
+    EXPECT_EQ(preset.visibility(FogMode::exp, 0.05, dim).has_value(), !is_category || preset.metres <= 100);
   }
 }
 

@@ -128,7 +128,9 @@ LITFOG_API litfog_status litfog_phase_droplets(double micrometres, litfog_phase*
 /// The fog of a runway visual range, how far lamps or markings are seen (litfog/runway_visual_range.h).
 ///
 /// mode                   LITFOG_FOG_*
-/// metres                 >= 0; infinity is no fog, 0 is total fog
+/// metres                 >= 0, at most sqrt(candela / illuminance_threshold) unless candela is 0; infinity is no fog,
+/// 0
+///                        is total fog
 /// candela                a lamp's intensity, finite, >= 0; 0: markings alone are seen. 10,000 is a new edge light's.
 /// illuminance_threshold  lux at the eye from which a lamp is seen, finite, > 0; 8e-7 is a pilot's by night
 LITFOG_API litfog_status litfog_fog_from_runway_visual_range(int32_t mode, double metres, double candela,
