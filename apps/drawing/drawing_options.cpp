@@ -179,7 +179,10 @@ void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
       app, "--rvr", options.runway_visual_range, command::kNotNegative,
       "Runway visual range in metres, in place of --visibility, in air without layers: how far lamps of --lamp-cd "
       "are seen",
-      [&options] { options.visibility.reset(); });
+      [&options] {
+        options.visibility.reset();
+        command::expect_lamps_reach(*options.runway_visual_range, options.runway_lights);
+      });
   add_layers(app, options);
   add_phase(app, options);
 }

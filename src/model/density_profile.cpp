@@ -102,7 +102,8 @@ std::optional<ValueError> find_error(const FogLayer& layer) {
   if (layer.top != kInfinity && !(layer.top + band_of(layer) <= kMaxPosition)) {
     return ValueError{"top", layer.top, kBandRule};
   }
-  if (!(layer.visibility >= kLeastLayerVisibility)) {
+  if (!(layer.visibility > 0)) return ValueError{"visibility", layer.visibility, "must be > 0"};
+  if (layer.visibility < kLeastLayerVisibility) {
     return ValueError{"visibility", layer.visibility, "must be >= 1e-290"};
   }
   return std::nullopt;

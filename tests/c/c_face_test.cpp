@@ -835,7 +835,8 @@ class CFaceFile : public testing::Test {
   }
 
  private:
-  std::string path_ = testing::TempDir() + "c_face_test_lamp.json";
+  std::string path_ =  // tests run beside each other
+      testing::TempDir() + testing::UnitTest::GetInstance()->current_test_info()->name() + ".json";
 };
 
 TEST_F(CFaceFile, LightIsThatOfCpp) {
