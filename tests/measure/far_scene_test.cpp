@@ -42,6 +42,7 @@ Scene yard() {
                        .moon_direction = glm::normalize(glm::vec3(0.4f, 1, 0.6f)),
                        .moon_color = glm::vec3(0.05f)};
   scene.atmosphere.ambient_fog_color = glm::vec3(0.02f);
+  scene.atmosphere.top = 1000;  // or moonlight would enter at a height above 0, wherever the scene is
   scene.models.push_back(make_model("box", {{"width_m", 14}, {"depth_m", 14}, {"height_m", 0.2}}));
   scene.models.push_back(make_model("box", {{"width_m", 1.1}, {"depth_m", 0.9}, {"height_m", 1.3}}));
   scene.models.push_back(make_model("crate", {}));
