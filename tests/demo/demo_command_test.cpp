@@ -1054,8 +1054,10 @@ TEST_F(DemoCommand, FramesOfASequenceAreThePicturesOfTheirSettings) {
       {"--path legacy --set environment.ambient[1]=0.1..0.4", "--path legacy --set environment.ambient[1]=0.4"},
       {"--path tangent --set environment.ambient[2]=0.4..0.1 --set environment.fog_color[2]=0..0.4",
        "--path tangent --set environment.ambient[2]=0.1 --set environment.fog_color[2]=0.4"},
-      {"--shadows shafts --set environment.moon.color[0]=0..0.3 --set environment.moon.direction[0]=0..1",
-       "--shadows shafts --set environment.moon.color[0]=0.3 --set environment.moon.direction[0]=1"},
+      {"--visibility 5000 --shadows shafts --set environment.moon.color[0]=0..0.3 "
+       "--set environment.moon.direction[1]=0.2..1",
+       "--visibility 5000 --shadows shafts --set environment.moon.color[0]=0.3 "
+       "--set environment.moon.direction[1]=1"},
       {"--path lookup-3d --fog-light peak --set environment.moon.color[1]=1,0.5,0",
        "--path lookup-3d --fog-light peak --set environment.moon.color[1]=0"},
       {"--set fog_top_m=100..2 --set environment.stars=0..1 --set environment.sky_horizon[0]=0..0.2",
