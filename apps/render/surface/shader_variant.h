@@ -9,11 +9,11 @@
 
 namespace litfog::render {
 
-/// The most lights that are passed as uniforms, for the fog as for the surface.
+/// The most lights that a shader takes as uniforms, for the fog as for the surface.
 inline constexpr std::size_t kMaxUniformLights = 16;
-/// In a pass that takes all lights, more lights are read through the light list, if it has no flags. Drivers compile an
-/// unrolled loop light by light: with up to 16, a first picture of the street took twice as long on llvmpipe, a frame of
-/// it as long.
+/// The most that a pass without flags takes so if it takes all lights; more are read through the light list. Drivers
+/// compile an unrolled loop light by light: with 16, the street's first picture took twice as long on llvmpipe, and a
+/// frame of it as long.
 inline constexpr std::size_t kMaxUnrolledLights = 4;
 
 /// The number of lights that a shader for `lights` lights is compiled for: at least `lights`, at most
