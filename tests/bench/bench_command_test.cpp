@@ -199,7 +199,7 @@ TEST_F(BenchMeasurement, AirlightMeasuresEveryMethodOverTheRaysThatItKnows) {
 TEST_F(BenchMeasurement, ScatteringTabulatesAllDepthsAndAngles) {
   const Outcome outcome = expect_done("scattering --quick --format json");
   const Json rows = Json::parse(outcome.out)["rows"];
-  ASSERT_EQ(rows.size(), 2 * 12u);
+  ASSERT_EQ(rows.size(), 2 * 16u);
   for (const Json& row : rows) {
     EXPECT_EQ(row.size(), 3 + 18 + 1u);
     EXPECT_GT(row["0.2 deg"].get<double>(), row["180 deg"].get<double>());
