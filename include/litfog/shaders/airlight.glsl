@@ -18,7 +18,7 @@
 // 5 of them and a fifth, so that a bright piece short in t is not left to one.
 //
 // Where a phase function shapes the integrand in exp fog, q is 0 and a point lamp takes 8 nodes a side, bent towards the
-// closest approach where the ray passes inside the falloff. In layers the ray is also cut at their knots, and each
+// closest approach where the ray passes inside the falloff; 12 where the ray meets the plateau or fog scatters back. In layers the ray is also cut at their knots, and each
 // piece of it into steps of some optical depths, from the end that the fog hides least to where it hides the rest.
 //
 // Errors and what they were measured on: litfog/airlight.h. In floats they hold for cones of at least 0.02 radians and
@@ -358,7 +358,11 @@ LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
     return litfog_is_isotropic(air.phase) ? LITFOG_REAL(12.0) : LITFOG_REAL(16.0);
   }
   if (litfog_airlight_is_shaped(air)) {
-    if (!litfog_has_cone(air.profile)) return LITFOG_REAL(16.0);
+    if (!litfog_has_cone(air.profile)) {
+      // The knee cuts the ray, and what scatters back brightens it far beyond the lamp.
+      bool meets_knee = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic) < LITFOG_REAL(1.0);
+      return meets_knee || litfog_backward_depths(air.phase) > LITFOG_REAL(0.0) ? LITFOG_REAL(24.0) : LITFOG_REAL(16.0);
+    }
     return litfog_airlight_is_wide(air) ? LITFOG_REAL(56.0) : LITFOG_REAL(36.0);
   }
   if (!litfog_is_isotropic(air.phase)) {
