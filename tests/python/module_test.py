@@ -207,7 +207,7 @@ class SolveTest(unittest.TestCase):
         self.assertEqual(repr(fit), f"<litfog.AttenuationFit: attenuation={fit.attenuation}, threshold=0.05, "
                                     "status=litfog.AttenuationFitStatus.optimal, rms_error=0.0, largest_error=0.0>")  # fmt: skip
         changes = litfog.FogUpdater().set_fog(litfog.Fog())
-        self.assertEqual(repr(changes), "<litfog.FogLightChanges: kinds=[], instances=[], effective_intensities=[]>")
+        self.assertEqual(repr(changes), "<litfog.FogLightChanges: kinds=[], instances=[], sources=[]>")
         cone = litfog.fit_cone(angles=[0, 0.1, 0.2], intensities=[3, 2, 1])
         self.assertIn(f"profiles={cone.profiles}, best_index={cone.best_index}>", repr(cone))
 
@@ -763,20 +763,27 @@ class UpdaterTest(unittest.TestCase):
         changes = updater.set_fog(thicker)
         self.assertEqual(list(instances[changes.instances[0]][0]["color"][:3]), [0, 0, 0])
 
-    def test_effective_intensities_are_solved_where_asked_for(self):
+    def test_sources_are_solved_where_asked_for(self):
         updater = litfog.FogUpdater()
         handle = updater.add(litfog.PlacedLight(self.lamp))
         fog = litfog.Fog(density=0.003)
-        self.assertEqual(updater.set_fog(fog).effective_intensities, [])
-        self.assertEqual(updater.effective_intensities.shape, (0,))
-        updater.solve_effective_intensities()
+        self.assertEqual(updater.set_fog(fog).sources, [])
+        self.assertEqual(updater.sources.shape, (0,))
+        updater.solve_sources()
         changes = updater.set_fog(fog)
-        self.assertEqual((changes.kinds, changes.effective_intensities), ([], [slice(0, 1, 1)]))
-        solved = updater.effective_intensities
-        self.assertFalse(solved.flags.writeable)
-        self.assertEqual(solved[updater.kind_of(handle)],
-                         np.float32(litfog.effective_intensity(self.lamp.attenuation, fog.density)))  # fmt: skip
-        self.assertEqual((updater.statistics.effective_solved, updater.statistics.bytes_dirty), (1, 4))
+        self.assertEqual((changes.kinds, changes.sources), ([], [slice(0, 1, 1)]))
+        self.assertEqual((updater.statistics.sources_solved, updater.statistics.bytes_dirty), (1, 8))
+        layer = litfog.FogLayer(base=0, top=10, transition=5, visibility=150)
+        profile = litfog.DensityProfile.from_layers([layer])
+        air = litfog.Atmosphere(fog, litfog.Phase.droplets(10), profile=profile)
+        self.assertEqual(updater.set_atmosphere(air, eye_height=100).sources, [slice(0, 1, 1)])
+        solved = updater.sources
+        self.assertEqual((solved.dtype, solved.flags.writeable), (litfog.FOG_LIGHT_SOURCE, False))
+        beams = litfog.make_thin_beams(air, litfog.make_scattering_table(air))
+        found, expected = solved[updater.kind_of(handle)], litfog.scattering_source(self.lamp, air, beams)
+        self.assertEqual(tuple(found), (np.float32(expected.intensity), np.float32(expected.soft_range)))
+        with self.assertRaisesRegex(ValueError, "^eye_height = nan: must be a number$"):
+            updater.set_atmosphere(air, math.nan)
 
     def test_lights_flash_by_the_time(self):
         flash = litfog.Flash(2, [(0.5, 0.25, 5)])
