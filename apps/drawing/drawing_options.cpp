@@ -77,8 +77,10 @@ void add_phase(CLI::App& app, DrawingOptions& options) {
                                        "0.7*hg:0.8+0.3*hg:-0.2, or droplets:D (water droplets of 5 to 50 micrometres; "
                                        "default droplets:10 in exp fog, isotropic in exp2)");
   add_named("--phase-g", "NUMBER", "hg:", "Short for --phase hg:NUMBER")->excludes(phase);
-  add_number(app, "--albedo", options.albedo, kFraction,
-             "With airlight: fraction of the light taken by the fog that it scatters, in place of the scene's");
+  add_number(
+      app, "--albedo", options.albedo, kFraction,
+      "With airlight: fraction of the light taken by the fog that it scatters, in place of the scene's; below 1, "
+      "light that is scattered twice or more is left out (--scattering single)");
 }
 
 std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {

@@ -149,6 +149,7 @@ std::string draw_fog(Session& session) {
   draw_phase(options);
   double albedo = options.albedo.value_or(session.scene().atmosphere.albedo);
   if (slide("Albedo", albedo, 0, 1, "%.3g")) options.albedo = albedo;
+  explain("Below 1, light that is scattered twice or more is left out");
   ImGui::EndDisabled();
   const std::string complaint = draw_layers(options);
   ImGui::EndDisabled();

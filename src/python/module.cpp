@@ -920,11 +920,13 @@ void bind_airlight(py::module_& m) {
       py::arg("step"), py::arg("lights"), py::arg("brightness"), py::arg("atmosphere"),
       "The budget of light_reach at which all that lights add beyond their reaches stays below a step of a picture,\n"
       "in linear light. brightness: the largest component of a light's colour, a number or an array.");
-  m.def("directional_airlight", &directional_airlights_of, py::arg("atmosphere"), py::arg("to_light"), py::arg("rays"),
-        py::kw_only(), py::arg("out") = py::none(),
-        "Airlight of a directional light, such as the sun or the moon, along rays, to be multiplied with its colour;\n"
-        "0 in fog that does not end above. The fog is exp, to_light unit; rays and out as for airlight. Releases the\n"
-        "GIL. ValueError with field, value and rule, before any result is written.");
+  m.def(
+      "directional_airlight", &directional_airlights_of, py::arg("atmosphere"), py::arg("to_light"), py::arg("rays"),
+      py::kw_only(), py::arg("out") = py::none(),
+      "Airlight of a directional light, such as the sun or the moon, along rays, to be multiplied with its colour;\n"
+      "as it enters the fog: at the atmosphere's top, or where that is infinite at 1200 m above height 0, wherever\n"
+      "the ground is. The fog is exp, to_light unit; rays and out as for airlight. Releases the GIL. ValueError with\n"
+      "field, value and rule, before any result is written.");
   m.def(
       "directional_fog_factor",
       [](const Atmosphere& atmosphere, const Given<glm::dvec3>& to_light, const py::object& height) {
@@ -987,9 +989,9 @@ void bind_airlight(py::module_& m) {
 void bind_updater(py::module_& m) {
   m.attr("FOG_LIGHT_KIND") = kind_dtype();
   m.attr("FOG_LIGHT_INSTANCE") = instance_dtype();
+  m.attr("FOG_LIGHT_SOURCE") = source_dtype();
   py::class_<FogLightHandle>(m, "FogLightHandle", "A light that a FogUpdater holds.")
       .def(
-  m.attr("FOG_LIGHT_SOURCE") = source_dtype();
           "__eq__", [](const FogLightHandle& a, const FogLightHandle& b) { return a == b; }, py::is_operator())
       .def("__hash__", [](const FogLightHandle& a) { return std::uint64_t{a.generation} << 32 | a.slot; })
       .def("__repr__", [](const FogLightHandle& a) {
@@ -1038,8 +1040,6 @@ void bind_updater(py::module_& m) {
       .def(
           "set_fog", [](Updater& updater, const Fog& fog) { return changes_of(updater.set_fog(fog)); }, py::arg("fog"),
           "Brings the tables up to date with the fog and the lights. Returns what has changed or is new.")
-      .def_property_readonly(
-          "kinds",
       .def(
           "set_atmosphere",
           [](Updater& updater, const Atmosphere& air, double eye_height) {
@@ -1048,6 +1048,8 @@ void bind_updater(py::module_& m) {
           py::arg("atmosphere"), py::arg("eye_height") = 0.0,
           "The same of any air. Intensities of kinds are those in the fog at the eye's height, sources those of\n"
           "scattering_source in the densest fog. ValueError with field, value and rule.")
+      .def_property_readonly(
+          "kinds",
           [](const std::shared_ptr<Updater>& updater) { return view_table(updater, updater->kinds(), kind_dtype()); },
           "The table of kinds where it lies: a read-only array of dtype FOG_LIGHT_KIND, which set_fog changes.")
       .def_property_readonly(

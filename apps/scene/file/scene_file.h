@@ -32,7 +32,7 @@ namespace litfog::scene {
 ///       "fog_top_m": 120,                                 optional: the height at which rays to the sky leave the fog
 ///                                                         and moonlight enters it (Atmosphere::top_above() and
 ///                                                         light_top()); default: never, any fog hides the sky, and
-///                                                         1200
+///                                                         1200, from height 0 of the scene
 ///       "phase_g": 0.8,                                   optional: short for the phase function hg:0.8
 ///       "atmosphere": {                                   optional: what the air is made of
 ///         "phase": "droplets:20",                         optional: the fog's phase function, named as kPhaseRule

@@ -102,7 +102,8 @@ typedef struct litfog_fog_layer {
 typedef struct litfog_atmosphere {
   litfog_fog fog;
   litfog_phase phase;
-  double albedo;                   ///< [0, 1]: the fraction of the light taken by the fog that it scatters
+  double albedo;                   ///< [0, 1]: the fraction of the light taken by the fog that it scatters; all orders
+                                   ///< of scattering need 1
   double top;                      ///< metres: height at which rays to the sky leave the fog, if no layer is there or
                                    ///< higher; INFINITY: they do not
   double ambient_fog_color[3];     ///< linear RGB, finite, >= 0
@@ -373,8 +374,9 @@ LITFOG_API litfog_status litfog_reach_budget(double step, size_t lights, double 
 // --- sun and moon (litfog/directional_airlight.h) ---
 
 /// Airlight of a directional light along rays: the fraction that the fog scatters into the eye, a factor of the light's
-/// colour. The light enters at the atmosphere's top, or at 1200 m where that is INFINITY, and at least at the height of
-/// the profile's last knot; a profile that is not 0 above its knots goes on for 1200 m above the last.
+/// colour. The light enters at the atmosphere's top, or where that is INFINITY at 1200 m above height 0, wherever the
+/// ground is, and at least at the height of the profile's last knot; a profile that is not 0 above its knots goes on
+/// for 1200 m above the last.
 ///
 /// atmosphere  exp fog
 /// to_light    its length is 1 within LITFOG_DIRECTION_TOLERANCE
@@ -560,21 +562,21 @@ typedef struct litfog_fog_light_changes {
   size_t source_count;
 } litfog_fog_light_changes;
 
-/// The tables. Valid until the next call on the updater that is not const.
-typedef struct litfog_fog_light_tables {
 /// What all orders of scattering take of the lights of a kind: members of their litfog_scattering_source.
 typedef struct litfog_fog_light_source {
   float intensity;  ///< m^2; 0 of kinds of which no light is on
   float soft_range;
 } litfog_fog_light_source;
 
+/// The tables. Valid until the next call on the updater that is not const.
+typedef struct litfog_fog_light_tables {
   const litfog_fog_light_kind* kinds;
   size_t kind_count;
   const litfog_fog_light_instance* instances;
   size_t instance_count;
 } litfog_fog_light_tables;
 
-/// What the last set_fog did.
+/// What the last set_fog or set_atmosphere did.
 typedef struct litfog_fog_update_statistics {
   size_t kinds_solved;
   size_t kinds_skipped;
