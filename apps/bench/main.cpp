@@ -61,6 +61,7 @@ steps (Wrenninge et al. 2013, as engines have it); a random walk of 65,536 paths
 Errors are against the discretised equation of transfer (reference). --strip draws one lamp at six visibilities.
 
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, over a million lights of 200 kinds, all carried and on.
+updater-layers: the same in a layer of droplets, with what all orders of scattering take of each kind.
 bytes_per_step: what then has to be uploaded, the most of all steps.
 
 load: 216,000 steps with a million lights, as in an hour at 60 a second: each moves the visibility and the time, which

@@ -21,7 +21,7 @@ inline constexpr double kHazeHeight = 1200;
 struct Atmosphere {
   Fog fog = {};
   Phase phase = {};
-  double albedo = 1;  ///< [0, 1]: the fraction of the light taken by the fog that it scatters
+  double albedo = 1;  ///< [0, 1]: the fraction of the light taken by the fog that it scatters; all orders need 1
   /// metres: height at which rays to the sky leave the fog, if no layer is there or higher: top_above(). It is also
   /// where light from outside enters: light_top().
   double top = std::numeric_limits<double>::infinity();
@@ -66,8 +66,9 @@ struct Atmosphere {
   /// knots.
   double top_above(double height) const;
   /// Height at which the light of the sun or the moon enters the fog, metres, finite where the top is not -infinity:
-  /// the top, or kHazeHeight where that is infinite, and at least the last knot's height. A profile that is not 0 above
-  /// its knots goes on for kHazeHeight above the last.
+  /// the top, or kHazeHeight above height 0 where that is infinite, and at least the last knot's height. So haze on
+  /// ground that lies above kHazeHeight takes nothing of that light, unless the top is stated. A profile that is not 0
+  /// above its knots goes on for kHazeHeight above the last.
   double light_top() const;
 };
 

@@ -13,7 +13,8 @@ namespace litfog {
 /// along the light's own slant from Atmosphere::light_top(). Surfaces are lit by it. It is continuous where haze
 /// vanishes; only light at the horizon or below it is kept out by any, because fog is level.
 ///
-/// atmosphere  exp fog (in exp2 fog depths do not add up along two legs)
+/// atmosphere  exp fog (in exp2 fog depths do not add up along two legs). Of an infinite top, light comes down from
+///             kHazeHeight above height 0, wherever the ground is.
 /// to_light    unit within kDirectionTolerance
 /// height      metres, at most kMaxPosition in magnitude
 /// returns     [0, 1]
