@@ -11,7 +11,7 @@ namespace litfog::files {
 inline constexpr const char* kPhaseRule =
     "must be isotropic, hg:G with G in (-1, 1) or droplets:D with D of 5 to 50 micrometres";
 
-/// The phase function of a name as kPhaseRule has it; nothing for other names.
+/// The phase function of a name that follows kPhaseRule; nothing for other names.
 std::optional<Phase> phase_named(std::string_view name);
 
 }  // namespace litfog::files
