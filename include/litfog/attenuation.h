@@ -32,13 +32,13 @@ std::optional<ValueError> find_threshold_error(double threshold);
 /// Largest error of attenuation_at in ulp: five roundings.
 inline constexpr double kAttenuationMaxUlp = 5;
 
-/// a(r), a light's brightness at a range as a fraction of its near brightness. For inner loops: no argument is checked.
+/// a(r), a light's brightness at a range as a fraction of its near brightness. For inner loops: checks no argument.
 ///
 /// attenuation  must pass find_error()
 /// range        metres, >= 0; infinity gives the limit
 /// returns      [0, 1]
-/// max error    kAttenuationMaxUlp where the coefficients and the range are 0 or within 1e-100..1e100; beyond, the
-///              denominator may overflow, and the result is then 0                           (attenuation_test.cpp)
+/// max error    kAttenuationMaxUlp if the coefficients and the range are 0 or within 1e-100..1e100; otherwise the
+///              denominator may overflow, which gives 0                                      (attenuation_test.cpp)
 double attenuation_at(const Attenuation& attenuation, double range);
 
 /// Largest errors of compute_extent and compute_knee in ulp.

@@ -10,15 +10,15 @@
 
 namespace litfog {
 
-/// The outcome for a light of a batch.
+/// The outcome for one light of a batch.
 enum class BatchStatus : std::uint8_t {
   ok,             ///< solved to the stated error
   not_converged,  ///< as SolveStatus::not_converged
   invalid,        ///< an argument breaks its rule (see solve.h): intensity, peak range and extent are 0
 };
 
-/// The lights of a batch, one column a parameter. Columns hold one value a light; threshold and density may also hold a
-/// single value for all lights. Values obey the rules of solve_fog_intensity (solve.h).
+/// The lights of a batch, one column per parameter. A column holds one value per light; threshold and density may also
+/// hold a single value for all lights. Values obey the rules of solve_fog_intensity (solve.h).
 template <typename Real>
 struct BasicBatchLights {
   std::span<const Real> constant;
@@ -30,8 +30,8 @@ struct BasicBatchLights {
 using BatchLights = BasicBatchLights<double>;
 using BatchLightsF = BasicBatchLights<float>;
 
-/// Where a batch's results go. A column holds one value a light. Every column but intensity may be empty, and is then
-/// not computed.
+/// Where a batch's results go. A column holds one value per light. All columns except intensity may be empty; an empty
+/// column is not computed.
 template <typename Real>
 struct BasicBatchSolutions {
   std::span<Real> intensity;
@@ -49,15 +49,15 @@ inline constexpr double kBatchExtentMaxUlp = std::is_same_v<Real, float> ? 1 : 2
 template <typename Real>
 inline constexpr double kBatchPeakRangeMaxError = std::is_same_v<Real, float> ? 1e-4 : 1e-8;
 
-/// solve_fog_intensity for many lights, by the processor's widest SIMD, chosen at run time. Allocates nothing, never
-/// throws, and may run on any number of threads at once. No column of results may overlap a column of the lights or
-/// another of results: a light's parameters are read again after results have been written. Columns of wrong lengths
-/// are a bug of the caller and assert.
+/// solve_fog_intensity for many lights, with the processor's widest SIMD, chosen at run time. Allocates nothing, never
+/// throws, and may run on any number of threads concurrently. No column of results may overlap another column:
+/// a light's parameters are read again after results have been written. Columns of wrong lengths are a caller's bug and
+/// assert.
 ///
-/// Bound by arithmetic, not by memory: copying the same columns takes at most 7 % of the time from the caches and 27 %
-/// from memory (data/benchmarks/epyc-solve.csv, rows batch and memory-copy).
+/// Arithmetic, not memory, limits the speed: copying the same columns takes at most 7 % of the time from caches and
+/// 27 % from memory (data/benchmarks/epyc-solve.csv, rows batch and memory-copy).
 ///
-/// returns    how many lights are invalid
+/// returns    number of invalid lights
 /// max error  on every target: intensity kBatchIntensityMaxUlp, extent kBatchExtentMaxUlp,
 ///            peak_range kBatchPeakRangeMaxError                                                   (batch_test.cpp)
 std::size_t solve_fog_intensities(FogMode mode, const BatchLights& lights, const BatchSolutions& solutions);

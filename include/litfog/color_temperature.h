@@ -6,7 +6,7 @@
 
 namespace litfog {
 
-/// Range of the colour temperatures below, in kelvin.
+/// Range of colour temperatures, in kelvin.
 inline constexpr double kMinColorTemperature = 1000;
 inline constexpr double kMaxColorTemperature = 25000;
 
@@ -23,12 +23,12 @@ inline constexpr double kChromaticityMaxError = 4e-4;
 glm::dvec2 chromaticity_of_temperature(double kelvin);
 
 /// A colour temperature as linear sRGB (IEC 61966-2-1) whose largest component is 1. Below 1900 K the colour is outside
-/// sRGB: blue, which would be negative, is 0.
+/// sRGB: negative blue becomes 0.
 ///
 /// throws     like chromaticity_of_temperature()
 glm::dvec3 color_of_temperature(double kelvin);
 
-/// The luminance of a colour in linear sRGB (IEC 61966-2-1) over that of white.
+/// Luminance of a linear sRGB colour (IEC 61966-2-1), relative to white.
 constexpr double luminance(const glm::dvec3& color) { return 0.2126 * color.r + 0.7152 * color.g + 0.0722 * color.b; }
 
 }  // namespace litfog

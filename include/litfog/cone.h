@@ -12,7 +12,7 @@
 
 namespace litfog {
 
-/// How a light's intensity falls with the angle u from its axis. kConeProfiles says what each is called and has.
+/// How a light's intensity falls with the angle u from its axis. kConeProfiles has each profile's name and parameters.
 enum class ConeProfile {
   /// 1 everywhere: a point light.
   none,
@@ -44,15 +44,15 @@ struct Cone {
   }
 };
 
-/// What is known of a member of Cone that a profile has. Files and controls have degrees for radians.
+/// A parameter of a profile. Files and controls use degrees for radians.
 struct ConeParameter {
   const char* field;      ///< "cone.inner"
   const char* file_name;  ///< "inner_deg"
-  const char* label;      ///< of a control: "Inner"
+  const char* label;      ///< a control's: "Inner"
   double Cone::*member;
   bool is_angle;
-  double least;  ///< of the values that rule allows, or their limit
-  double most;   ///< likewise
+  double least;  ///< smallest value that the rule allows, or its limit
+  double most;   ///< largest value that the rule allows, or its limit
   const char* rule;
   const char* rule_in_file;
   std::array<double, 2> control;  ///< a slider's ends
@@ -61,14 +61,14 @@ struct ConeParameter {
   constexpr const char* name() const { return field + 5; }  ///< the member's: "inner"
 };
 
-/// What is known of a profile.
+/// A profile's name and parameters.
 struct ConeProfileFacts {
   ConeProfile profile;
-  const char* name;  ///< the enumerator's and that of files
+  const char* name;  ///< as the enumerator, and in files
   const char* meaning;
   std::span<const ConeParameter> parameters;
   const ConeParameter* cutoff;  ///< the parameter beyond which a cone is dark, if there is one
-  Cone first;                   ///< that a control begins with when the profile is chosen
+  Cone first;                   ///< a control's cone when the profile is chosen
 };
 
 namespace cone_parameters {
@@ -87,35 +87,34 @@ inline constexpr std::array<ConeParameter, 2> kSmoothstep{{
 // clang-format on
 }  // namespace cone_parameters
 
-/// All profiles by their number. A new one has its row here, a case of each switch of src, and its number and formulas
-/// in litfog/shaders/cone_profile.glsl.
+/// All profiles by number. A new profile needs a row here, a case in each switch of src, and its number and formulas in
+/// litfog/shaders/cone_profile.glsl.
 inline constexpr std::array<ConeProfileFacts, 3> kConeProfiles{
     {{ConeProfile::none, "none", "1 everywhere: a point light", {}, nullptr, {}},
      {ConeProfile::cosine, "cosine", "cos^exponent(u) up to half_angle", cone_parameters::kCosine,
       &cone_parameters::kCosine[0], Cone::cosine(std::numbers::pi / 6, 4)},
      {ConeProfile::smoothstep, "smoothstep", "smoothstep(cos outer, cos inner, cos u)", cone_parameters::kSmoothstep,
       &cone_parameters::kSmoothstep[1], Cone::smoothstep(std::numbers::pi / 12, std::numbers::pi / 6)}}};
-inline constexpr std::size_t kMaxConeParameters = 2;  ///< of a profile
+inline constexpr std::size_t kMaxConeParameters = 2;  ///< per profile
 
 constexpr const ConeProfileFacts& facts_of(ConeProfile profile) { return kConeProfiles[std::size_t(profile)]; }
 
 /// What is wrong with a cone, or nothing.
 std::optional<ValueError> find_error(const Cone& cone);
 
-// The functions below are for inner loops and do not check their arguments: `cone` is one that find_error() finds
-// nothing wrong with.
+// The functions below are for inner loops and do not check their arguments: `cone` must pass find_error().
 
 /// Half angle beyond which a cone is dark: radians, pi for a point light.
 double cutoff_angle(const Cone& cone);
 
-/// Fraction of the axial intensity at which a cone is cut off: 0 of one that fades out, and of a point light.
+/// Fraction of the axial intensity at which a cone is cut off: 0 for a cone that fades out, and for a point light.
 double cutoff_level(const Cone& cone);
 
 /// Half angle beyond which a cone has half its axial intensity or less, and within which it has most of its light:
-/// radians, pi for a point light. angle_at_level() has the least such angle.
+/// radians, pi for a point light. angle_at_level() gives the least such angle.
 double dim_angle(const Cone& cone);
 
-/// Largest errors of cone_at: of a cosine cone in ulp; of a smoothstep cone the absolute error times the width of its
+/// Largest errors of cone_at: for a cosine cone in ulp; for a smoothstep cone the absolute error times the width of its
 /// edge, cos inner - cos outer, because a narrow edge magnifies the rounding of the cosines.
 inline constexpr double kCosineConeMaxUlp = 1;
 inline constexpr double kSmoothstepConeMaxErrorTimesWidth = 6e-16;
@@ -133,16 +132,16 @@ double cone_at(const Cone& cone, double cos_angle);
 inline constexpr double kAngleAtLevelMaxError = 2e-15;
 inline constexpr double kFluxMaxError = 2e-15;
 
-/// Angle up to which a cone keeps a fraction of its axial intensity: acos(level^(1/exponent)) of a cosine cone, the
-/// root of Hermite's cubic of a smoothstep cone, or the cut-off angle if the cone is still brighter there.
+/// Angle up to which a cone keeps a fraction of its axial intensity: acos(level^(1/exponent)) for a cosine cone, the
+/// root of Hermite's cubic for a smoothstep cone, or the cut-off angle if the cone is still brighter there.
 ///
 /// level      (0, 1)
 /// returns    radians from the axis, [0, pi]; pi for a point light
 /// max error  kAngleAtLevelMaxError                                                                 (cone_test.cpp)
 double angle_at_level(const Cone& cone, double level);
 
-/// Flux of a cone whose axial intensity is 1, out to an angle: 2 pi times the integral of cone_at(cos u) sin u.
-/// Times candela on the axis it is lumens.
+/// Flux of a cone with axial intensity 1, out to an angle: 2 pi times the integral of cone_at(cos u) sin u. Multiplied
+/// by candela on the axis it is in lumens.
 ///
 /// angle      radians from the axis, [0, pi]
 /// returns    steradians, [0, 4 pi]

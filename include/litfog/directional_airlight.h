@@ -9,11 +9,11 @@
 
 namespace litfog {
 
-/// Fraction of a directional light, such as the sun or the moon, that passes through the fog down to a height, e^-depth
-/// along the light's own slant from Atmosphere::light_top(). Surfaces are lit by it. It is continuous where haze
-/// vanishes; only light at the horizon or below it is kept out by any, because fog is level.
+/// Fraction of a directional light, such as the sun or the moon, that reaches a height through the fog: e^-depth along
+/// the light's slanted path from Atmosphere::light_top(). It lights surfaces. It tends to 1 as haze thins out, except
+/// for light at or below the horizon, which any haze keeps out because fog is level.
 ///
-/// atmosphere  exp fog (in exp2 fog depths do not add up along two legs). Of an infinite top, light comes down from
+/// atmosphere  exp fog (in exp2 fog the depths of two legs do not add up). If the top is infinite, the light enters at
 ///             kHazeHeight above height 0, wherever the ground is.
 /// to_light    unit within kDirectionTolerance
 /// height      metres, at most kMaxPosition in magnitude
@@ -26,14 +26,14 @@ inline constexpr double kDirectionalAirlightMaxError = 1e-11;
 
 /// Airlight of a directional light along rays: the fraction that the fog scatters into the eye,
 ///   A = integral over s in [0, D] of  d(s) e^(-depth from the eye - depth to the light) phase(theta)  ds,
-/// in closed form, derived in litfog/shaders/directional_airlight.glsl. A white surface that faces the light outside
-/// the fog shows colour, the fog airlight_unit() * colour * A. It is single scattering: the ambient fog colour stands
-/// for the light that is scattered more often, and for other light. Columns of different lengths are a bug of the
-/// caller and assert.
+/// in closed form, derived in litfog/shaders/directional_airlight.glsl. Where a white surface that faces the light
+/// outside the fog shows colour, the fog shows airlight_unit() * colour * A. This is single scattering: the ambient fog
+/// colour stands for light that is scattered more than once, and for other light. Spans of different lengths are a
+/// caller's bug and assert.
 ///
-/// atmosphere  exp fog, as directional_fog_factor() takes it
+/// atmosphere  exp fog, as for directional_fog_factor()
 /// to_light    unit within kDirectionTolerance
-/// rays        as for a lamp; to the sky they end at Atmosphere::light_top(), above which fog is meant for other rays
+/// rays        as for a lamp; rays to the sky must end at Atmosphere::light_top()
 /// airlights   [0, largest_phase()]
 /// max error   kDirectionalAirlightMaxError                                             (directional_airlight_test.cpp)
 /// throws      std::invalid_argument naming field, value and rule, before any result is written

@@ -7,7 +7,7 @@
 
 namespace litfog {
 
-/// How the fog factor (transmittance) f falls with range. The shaders and C have its numbers.
+/// How the fog factor (transmittance) f falls with range. The shaders and C use the same numbers.
 enum class FogMode {
   exp = 0,   ///< f(r) = e^(-d r)
   exp2 = 1,  ///< f(r) = e^(-(d r)^2)
@@ -57,7 +57,7 @@ inline constexpr double kVisibilityMaxUlp = 3;
 /// throws     std::invalid_argument naming field, value and rule
 double visibility(const Fog& fog, double contrast = kContrastMor);
 
-/// Fog as a light class sees it: the density times the class's scale (1/2.5 for FlightGear's runway lights).
+/// Fog for a class of lights: the density times the class's scale (1/2.5 for FlightGear's runway lights).
 ///
 /// density_scale  >= 0, finite; clear air stays clear and total fog stays total unless the scale is 0
 /// throws         std::invalid_argument naming field, value and rule
@@ -67,8 +67,7 @@ Fog scaled(const Fog& fog, double density_scale);
 /// changes the factor by x e^-x < 0.37 times that error, and the exponential adds less than an ulp.
 inline constexpr double kFogFactorMaxError = 2.5e-16;
 
-/// Fog factor f(r), the fraction of light that passes through the fog over a range. For inner loops: no argument is
-/// checked.
+/// Fog factor f(r), the fraction of light that passes through fog over a range. For inner loops: checks no argument.
 ///
 /// fog        must pass find_error()
 /// range      metres, >= 0
@@ -79,7 +78,7 @@ double fog_factor_at(const Fog& fog, double range);
 /// Largest error of opacity_at in ulp.
 inline constexpr double kOpacityMaxUlp = 4;
 
-/// Opacity 1 - f(r), without the cancellation of the plain form. For inner loops: no argument is checked.
+/// Opacity 1 - f(r), computed without cancellation. For inner loops: checks no argument.
 ///
 /// fog        must pass find_error()
 /// range      metres, >= 0

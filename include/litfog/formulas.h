@@ -4,10 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
-/// The model's scalar formulas for float, double and any type with the usual functions by argument-dependent lookup
-/// (ceres::Jet). The text is shared with the shaders, whose names carry the prefix litfog_ that a namespace makes
-/// needless here: litfog/shaders/formulas.glsl, and cone_profile.glsl and airlight_bound.glsl, whose own functions keep
-/// the prefix.
+/// The model's scalar formulas for float, double and any type whose math functions argument-dependent lookup finds
+/// (ceres::Jet). The text is shared with the shaders: formulas.glsl, cone_profile.glsl and airlight_bound.glsl of
+/// litfog/shaders. The names in the macros below lose the shaders' prefix litfog_; others keep it.
 namespace litfog::formulas {
 
 using std::exp;
@@ -31,10 +30,10 @@ using std::sqrt;
 #include "litfog/shaders/formulas.glsl"  // undefines the last two
 #define LITFOG_REAL Real
 #define LITFOG_FUNCTION template <typename Real>
-#include "litfog/shaders/cone_profile.glsl"  // likewise
+#include "litfog/shaders/cone_profile.glsl"  // undefines them, too
 #define LITFOG_REAL Real
 #define LITFOG_FUNCTION template <typename Real>
-#include "litfog/shaders/airlight_bound.glsl"  // likewise
+#include "litfog/shaders/airlight_bound.glsl"  // undefines them, too
 #undef litfog_expm1
 #undef litfog_denominator
 #undef litfog_attenuation

@@ -11,18 +11,18 @@
 
 namespace litfog {
 
-/// A location in a file of text.
+/// A location in a text file.
 struct InputLocation {
   std::string file;        ///< path as the caller gave it
   std::size_t line = 0;    ///< from 1; 0: the file as a whole
   std::size_t column = 0;  ///< from 1, in code points; 0: the line as a whole
 };
 
-/// "file:line:column", without what is 0.
+/// "file:line:column"; numbers that are 0 are left out.
 std::string to_string(const InputLocation& location);
 
 /// Thrown for a file that cannot be used. what() is the whole sentence: "lamps.json:7:12: threshold = 7: must be in (0,
-/// 1)". It holds names and values as the file has them: escape control characters before you send it to a terminal.
+/// 1)". It quotes names and values from the file unchanged: escape control characters before sending it to a terminal.
 class InputError : public std::runtime_error {
  public:
   /// "location: message"

@@ -17,12 +17,12 @@ struct LightBounds {
   glm::dvec3 position{0.0};                                ///< each coordinate at most kMaxPosition in magnitude
   glm::dvec3 direction{0.0, 0.0, -1.0};                    ///< its length is 1 within kDirectionTolerance
   double range = std::numeric_limits<double>::infinity();  ///< >= 0; 0 lights nothing, infinity has no end
-  double half_angle = std::numbers::pi;                    ///< [0, pi]; pi is a ball
+  double half_angle = std::numbers::pi;                    ///< [0, pi]; pi is a sphere
 
   friend bool operator==(const LightBounds&, const LightBounds&) = default;
 };
 
-/// What is wrong with bounds, or nothing. The value of a wrong direction is its length.
+/// What is wrong with bounds, or nothing. For a wrong direction the value is its length.
 std::optional<ValueError> find_error(const LightBounds& bounds);
 
 /// The bounds of a light within a range, such as light_reach() gives (airlight.h).
@@ -43,7 +43,7 @@ inline constexpr double kCullSlack = 1e-9;
 /// for a half angle over 90 degrees, if part of the box is in the light's dark cone and the rest beyond its range
 /// (light_bounds_test.cpp).
 ///
-/// low, high  corners, each coordinate finite and of low at most that of high
+/// low, high  corners; coordinates are finite, and low's are at most high's
 /// throws     std::invalid_argument naming field, value and rule
 bool can_light(const LightBounds& light, const glm::dvec3& low, const glm::dvec3& high);
 

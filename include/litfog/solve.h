@@ -12,10 +12,10 @@ namespace litfog {
 /// How a solve ended.
 enum class SolveStatus {
   ok,             ///< the fields hold the supremum to the stated error
-  not_converged,  ///< the step cap was reached: intensity is a lower bound, taken at peak_range
+  not_converged,  ///< the step cap was reached: intensity is a lower bound, the value at peak_range
 };
 
-/// Fog colour intensity of a light and where it is taken.
+/// Fog colour intensity of a light, and the range of the peak.
 template <typename Real>
 struct BasicFogIntensity {
   Real intensity;   ///< [0, 1]
@@ -26,8 +26,8 @@ struct BasicFogIntensity {
 using FogIntensity = BasicFogIntensity<double>;
 using FogIntensityF = BasicFogIntensity<float>;
 
-/// Largest errors of solve_fog_intensity: of the intensity in ulp, of the peak range relative. In float the peak range
-/// is that of double, rounded.
+/// Largest errors of solve_fog_intensity: of the intensity in ulp, of the peak range relative. The float peak range is
+/// the double one, rounded.
 template <typename Real>
 inline constexpr double kIntensityMaxUlp = std::is_same_v<Real, float> ? 1 : 2;
 inline constexpr double kPeakRangeMaxError = 1e-8;
@@ -35,7 +35,7 @@ inline constexpr double kPeakRangeMaxError = 1e-8;
 /// Fog colour intensity of a light: the supremum over [0, extent] of opacity(r) * attenuation(r).
 /// Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", section "Lighting in Fog", samples it. Here it
 /// is exact: beyond the knee the derivative has the sign of a power series with one change of sign, so the only peak is
-/// at the knee, at the stationary point, or at the extent.
+/// at the knee, the stationary point, or the extent.
 ///
 /// attenuation  constant (1), linear (1/m), quadratic (1/m^2): finite, >= 0, not all zero
 /// fog.density  1/m, >= 0; 0 is clear air (intensity 0), infinity is total fog (attenuation at 0+)
@@ -46,18 +46,18 @@ FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog,
 FogIntensityF solve_fog_intensity(const AttenuationF& attenuation, const FogF& fog,
                                   float threshold = float(kDefaultThreshold));
 
-/// Fog colour intensity of a light, in the fog that its class sees.
+/// Fog colour intensity of a light, in fog scaled by its density scale.
 ///
 /// throws  std::invalid_argument naming field, value and rule
 FogIntensity solve_fog_intensity(const Light& light, const Fog& fog);
 
-/// Largest absolute error of sample_fog_intensity with 64 samples over the lights and fogs that it names.
+/// Largest absolute error of sample_fog_intensity with 64 samples, over the lights and fogs named below.
 inline constexpr double kSampled64MaxError = 0.024;
 
 /// Fog colour intensity as published: the largest of N samples at r = extent * i / N, i = 1..N (Hales 2004, "Lighting
-/// in Fog"). Kept as the reference of speed and error. Except for rounding it never exceeds the intensity. With 64
-/// samples it is up to kSampled64MaxError too low over the OGRE wiki's table of lights from 10 m visibility up
-/// (solve_test.cpp), and by more in thicker fog or at lower thresholds.
+/// in Fog"). Kept as a baseline for speed and error. Except for rounding it never exceeds the intensity. With 64
+/// samples it is up to kSampled64MaxError too low for the OGRE wiki's table of lights at visibilities of at least 10 m
+/// (solve_test.cpp). The error is larger in thicker fog or at lower thresholds.
 ///
 /// samples  N >= 1
 /// throws   std::invalid_argument naming field, value and rule

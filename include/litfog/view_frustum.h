@@ -11,7 +11,7 @@
 
 namespace litfog {
 
-/// Largest tangent of an angle that a view may span: 84.3 degrees, up to which floats separate clusters.
+/// Largest tangent of the angle from forward to an edge of a view: 84.3 degrees, up to which floats separate clusters.
 inline constexpr double kMaxViewTangent = 10;
 
 /// The part of space that a perspective picture shows. World space, metres; the picture may be off centre (stereo,
@@ -32,14 +32,14 @@ struct View {
   friend bool operator==(const View&, const View&) = default;
 };
 
-/// What is wrong with a view, or nothing. The value of a wrong forward or up is its length, or its dot product with
-/// forward where up is not orthogonal.
+/// What is wrong with a view, or nothing. The value of a wrong forward or up is its length; if up is not orthogonal, it
+/// is their dot product.
 std::optional<ValueError> find_error(const View& view);
 
-/// Columns right, up and forward, orthonormal to rounding, of a view that has passed find_error().
+/// Columns right, up and forward, orthonormal to rounding. The view must pass find_error().
 glm::dmat3 axes_of(const View& view);
 
-/// The truncated pyramid that a view shows, to ask whether bodies meet it.
+/// The truncated pyramid that a view shows, for culling.
 ///
 /// An answer of false is always right. An answer of true may be wrong in the cases that can_light() names for a box
 /// (light_bounds.h)                                                                          (view_frustum_test.cpp).
@@ -48,7 +48,7 @@ class ViewFrustum {
   /// throws  std::invalid_argument naming field, value and rule
   explicit ViewFrustum(const View& view);
 
-  /// Whether a ball meets the frustum.
+  /// Whether a sphere meets the frustum.
   ///
   /// radius  metres, >= 0; 0 is a point
   /// throws  std::invalid_argument naming field, value and rule

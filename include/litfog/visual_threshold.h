@@ -6,7 +6,7 @@
 
 namespace litfog {
 
-/// The illuminance at the eye from which a light is just seen, by the name of its surroundings.
+/// The illuminance at the eye at which a light is just visible, for a named background.
 struct VisualThreshold {
   std::string_view name;
   double illuminance;  ///< lux
@@ -15,7 +15,7 @@ struct VisualThreshold {
 
 inline constexpr double kNightThreshold = 8e-7;  ///< lux, a pilot's by night
 
-/// The pilot's thresholds are those in use for runway visual range, quoted at second hand: not checked at their source,
+/// The pilot's thresholds are those in use for runway visual range. They are quoted at second hand, not checked against
 /// the Annex's text.
 inline constexpr std::array<VisualThreshold, 5> kVisualThresholds{{
     {"dark night", 2e-7, "what a mariner sees by night, 33 CFR 84.14"},
@@ -27,12 +27,12 @@ inline constexpr std::array<VisualThreshold, 5> kVisualThresholds{{
 
 inline constexpr double kMaxBackground = 1e12;  ///< cd/m2; the sun's disc has 2e9
 
-/// The illuminance at the eye from which a point of light is just seen before a background: in lux, with B the
-/// background's luminance in cd/m2,
+/// The illuminance in lux at which a point of light is just visible against a background. With B the background's
+/// luminance in cd/m2,
 ///   log10 E = 0.57 log10 B + 0.05 (log10 B)^2 - 6.66
 /// (ICAO Doc 9328, "Manual of Runway Visual Range Observing and Reporting Practices"; quoted at second hand, not
-/// checked at its source; it passes midway between the pilot's steps above where these are commonly said to change, at
-/// 50, 1000 and 12,000 cd/m2). It falls with B down to 2e-6 cd/m2, and is taken as constant below.
+/// checked at its source). It passes midway between the pilot's steps above at 50, 1000 and 12,000 cd/m2, where these
+/// are commonly said to change. It falls with B down to 2e-6 cd/m2, and is taken as constant below.
 ///
 /// background  cd/m2, [0, kMaxBackground]
 double illuminance_threshold(double background);

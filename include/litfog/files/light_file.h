@@ -25,9 +25,9 @@ namespace litfog {
 ///       "cone": {"profile": "cosine", "half_angle_deg": 15, "exponent": 75},  optional: a point light
 ///               {"profile": "smoothstep", "inner_deg": 5, "outer_deg": 15}
 ///       "density_scale": 0.4,                 optional: 1
-///       "source_radius_m": 0.05,              optional: 0, none is known; above 0 pictures by airlight show the light as
-///                                             photometric() does
-///       "flash": {"period_s": 2,              optional: a lamp that is dark except in its flashes, at most 8 a period
+///       "source_radius_m": 0.05,              optional: 0, unknown; above 0, pictures by airlight show the light by
+///                                             photometric()
+///       "flash": {"period_s": 2,              optional: a lamp that is dark except in at most 8 flashes per period
 ///                 "flashes": [{"start_s": 0, "duration_s": 0.05, "intensity": 5}]},  intensity: 1, times the colour
 ///       "fit": {...}                          optional: how litfog-fit found the figures; ignored
 ///     }
@@ -42,15 +42,15 @@ namespace litfog {
 /// throws  InputError with the location of what is wrong: "headlight.json:7:12: threshold = 7: must be in (0, 1)"
 Light read_light(const std::string& path);
 
-/// A light as the text of its file. Numbers are read back exactly, except angles that no double in degrees stands for,
+/// A light as the text of its file. Numbers read back exactly, except angles that no double in degrees represents,
 /// which are off by their last bit.
 ///
-/// light   a valid one (find_error()); not checked here
-/// source  lines of the member "source"; without any it is left out
+/// light   must pass find_error(); not checked here
+/// source  lines of the member "source", which is left out if there are none
 /// fit     JSON text of the member "fit"; empty: left out
 std::string format_light(const Light& light, const std::vector<std::string>& source = {}, std::string_view fit = {});
 
-/// Writes a light file atomically: an earlier file stays as it was when anything fails.
+/// Writes a light file atomically: if anything fails, an earlier file stays as it was.
 ///
 /// throws  std::invalid_argument for a light that find_error() refuses; OutputError
 void write_light(const std::string& path, const Light& light, const std::vector<std::string>& source = {});

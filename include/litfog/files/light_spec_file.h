@@ -18,52 +18,52 @@
 namespace litfog {
 
 // clang-format off
-/// Light-spec files, version 1: what a light's data sheet says, for litfog-fit to make a light of.
+/// Light-spec files, version 1: what a light's data sheet says, from which litfog-fit makes a light.
 ///
 ///     {
 ///       "litfog": "light-spec",
 ///       "version": 1,
 ///       "name": "landing lamp",                 optional: the file's name without its ending
-///       "source": "where the figures are from", optional, or an array of such; the light's
+///       "source": "where the figures are from", optional, or an array of strings; the light's
 ///       "color": [1, 0.9, 0.8],                 optional: white; the light's; or
 ///       "color_temperature_k": 3200,            instead, with a luminance of 1: 1000 to 25000
 ///                                               (litfog/color_temperature.h)
 ///       "density_scale": 0.4,                   optional: 1; the light's
-///       "source_radius_m": 0.08,                optional: that of a disc of the area of the photometry's luminous
-///                                               opening, or 0.05, as far as the light can have it; the light's
+///       "source_radius_m": 0.08,                optional: of a disc with the area of the photometry's luminous
+///                                               opening, or 0.05, if the light can have it; the light's
 ///       "flash": {...},                         optional: the light's (litfog/files/light_file.h)
-///       "range": {                              optional, and each member of it, but not an extent and samples both
+///       "range": {                              optional; needs samples or one of extent_m to flux_lm
 ///         "threshold": 0.05,                    the light's
-///         "extent_m": 120,                      where the attenuation is to be the threshold, met exactly; or instead
-///         "end_lx": 1,                          where its peak gives that much in clear air; or a name of
+///         "extent_m": 120,                      where the attenuation reaches the threshold, met exactly; or instead
+///         "end_lx": 1,                          the illuminance of the peak there in clear air; or a name of
 ///                                               kVisualThresholds, such as "night"; default: 1
-///         "peak_cd": 12000,                     the beam's largest, of a colour of luminance 1; default: that of the
-///                                               cone's photometry, which is scaled to it; or
-///         "illuminance": {"range_m": 10, "lx": 120},     instead, in clear air: the peak is lx * range_m^2; of a
-///                                               table, an array of such rows at different ranges, the
-///                                               geometric mean of that; or
+///         "peak_cd": 12000,                     the beam's largest intensity, for a colour of luminance 1; default:
+///                                               the peak of the cone's photometry, which is scaled to it; or
+///         "illuminance": {"range_m": 10, "lx": 120},     instead, in clear air: the peak is lx * range_m^2; for a
+///                                               table, an array of such rows at different ranges, it is the
+///                                               geometric mean; or
 ///         "flux_lm": 900,                       instead, of the whole light: the peak is the flux over that of the
 ///                                               cone or the photometry with a peak of 1 cd
-///         "constant": 1,                        C, to be kept
-///         "family": "quadratic",                of an extent alone: quadratic, linear or mixed (half and half)
+///         "constant": 1,                        C, fixed
+///         "family": "quadratic",                for an extent alone: quadratic, linear or mixed (half and half)
 ///         "samples": [{"range_m": 10, "attenuation": 0.8, "weight": 1}]      by increasing range; weight optional
 ///       },
-///       "cone": {                               optional: a point light; each member optional, but not all angles,
-///                                               samples and photometry
+///       "cone": {                               optional: a point light; needs a beam or field angle, samples or
+///                                               photometry
 ///         "profile": "best",                    best (of all), or a profile of light files
 ///         "half_angle_deg": 30,                 where the light ends
-///         "beam_angle_deg": 11,                 full angle at 50 % of the peak; [12, 6], horizontal and vertical, of
+///         "beam_angle_deg": 11,                 full angle at 50 % of the peak; [12, 6], horizontal and vertical, for
 ///                                               an elliptical beam, which has no samples
 ///         "field_angle_deg": 22,                full angle at 10 %, in the same form
 ///         "samples": [{"angle_deg": 0, "intensity": 1, "weight": 1}],        by increasing angle; weight optional
 ///         "photometry": "lamp.ies"              instead of samples: any photometric file that read_luminaire() reads
 ///                                               (litfog/photometry/luminaire.h), relative to this file; without a
 ///                                               range the light ends where its peak gives 1 lx. The light's peak
-///                                               is the largest mean over the turn, which keeps the flux
+///                                               is the largest mean over the azimuth, which keeps the flux
 ///       }
 ///     }
 ///
-/// It has a range, a cone or both. JSON of at most 64 MiB. Nothing here depends on the locale.
+/// A spec has a range, a cone or both. JSON of at most 64 MiB. Nothing here depends on the locale.
 // clang-format on
 
 /// The member "range".
@@ -85,10 +85,10 @@ struct RangeSpec {
   };
 
   double threshold = kDefaultThreshold;
-  std::optional<double> extent = {};           ///< metres; not beside any of the next four
+  std::optional<double> extent = {};           ///< metres; excludes the next four
   std::optional<double> end_illuminance = {};  ///< lux, > 0
-  std::optional<double> peak = {};             ///< candela, > 0; at most one of this and the next two
-  std::vector<Illuminance> illuminance = {};   ///< a row, or the rows of a table, at different ranges
+  std::optional<double> peak = {};             ///< candela, > 0; excludes the next two
+  std::vector<Illuminance> illuminance = {};   ///< one row, or the rows of a table, at different ranges
   std::optional<double> flux = {};             ///< lumens, > 0
   std::optional<double> constant = {};
   Family family = Family::quadratic;
@@ -126,7 +126,7 @@ struct ConeSpec {
 
 struct LightSpecText;
 
-/// The contents of a light-spec file. Types are right, but whether a light can have the values is for the fits to say.
+/// The contents of a light-spec file. Types are checked; the fits check whether a light can have the values.
 struct LightSpec {
   std::string file = {};  ///< its path
   std::string name = {};
@@ -140,14 +140,13 @@ struct LightSpec {
   std::optional<ConeSpec> cone = {};
   std::shared_ptr<const LightSpecText> text = {};  ///< the file as read, for error_at
 
-  /// What is wrong with a value of a spec that was read from a file, at its location in the file and in the file's
-  /// terms, degrees for radians:
+  /// The error of a value, at its location in the file and in the file's terms, degrees for radians:
   ///
   ///     throw spec.error_at("cone.beam_angle", "6.3", "must be in (0, 2 pi]");
   ///     lamp.json:9:23: cone.beam_angle_deg = 361: must be in (0, 360]
   ///
-  /// field  a member of this struct, as in "range.samples[3].attenuation"; if the file lacks it, the error is at the
-  ///        samples or at the nearest member that it is missing from
+  /// field  a member of this struct, such as "range.samples[3].attenuation"; if the file lacks it, the error is located
+  ///        at the samples or at the nearest member that it is missing from
   /// value  shown if the file lacks the field; otherwise the file's own text is shown
   InputError error_at(std::string_view field, std::string_view value, std::string_view rule) const;
 };

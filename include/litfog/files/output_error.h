@@ -6,7 +6,7 @@
 namespace litfog {
 
 /// Thrown where output could not be written. what() is the whole sentence: "a.json: cannot be written: No space left on
-/// device". It holds names as given: escape control characters before you send it to a terminal.
+/// device". It quotes names as given: escape control characters before sending it to a terminal.
 struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

@@ -15,8 +15,8 @@ inline constexpr const char* kPhaseRule =
 /// Largest difference from 1 of the sum of a name's two weights.
 inline constexpr double kPhaseWeightTolerance = 1e-9;
 
-/// The phase function of a name as kPhaseRule has it; nothing for other names. Of a sum, Phase::weight is the first
-/// number.
+/// The phase function of a name that follows kPhaseRule; nothing for other names. For a sum, Phase::weight is the first
+/// weight.
 std::optional<Phase> phase_named(std::string_view name);
 
 }  // namespace litfog::files

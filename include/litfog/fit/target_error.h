@@ -9,7 +9,7 @@
 
 namespace litfog {
 
-/// What is wrong with the target of a fit.
+/// What is wrong with a fit's target.
 struct TargetError {
   ValueError error;
   std::optional<std::size_t> sample = std::nullopt;  ///< the sample with the field; absent: the target itself

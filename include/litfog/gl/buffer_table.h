@@ -9,7 +9,7 @@
 
 namespace litfog::gl {
 
-/// A table in a buffer that grows with it, which shaders read as a buffer texture or as a storage buffer.
+/// A table in a growing buffer, which shaders read as a buffer texture or as a storage buffer.
 ///
 /// threads  like GlName
 class BufferTable {
@@ -18,18 +18,18 @@ class BufferTable {
   /// throws  Unsupported in a context of OpenGL ES, whose shaders read 2-D textures (LITFOG_LIGHT_TEXTURE)
   BufferTable(unsigned format, std::size_t texel_bytes, std::size_t entry_bytes);
 
-  /// Uploads the changed entries, or the whole table the first time and when it outgrows its buffer. That replaces the
-  /// active texture unit's binding of GL_TEXTURE_BUFFER, so bind textures afterwards.
+  /// Uploads the changed entries; uploads the whole table the first time and when it outgrows its buffer, which changes
+  /// the active texture unit's binding of GL_TEXTURE_BUFFER, so bind textures afterwards.
   void upload(std::span<const std::byte> table, std::span<const EntryRange> changed);
 
   /// Binds the table as a texture to a texture unit.
   ///
-  /// throws  Unsupported where it has more texels than this OpenGL's buffer textures
+  /// throws  Unsupported if it has more texels than this OpenGL's buffer textures can hold
   void bind_texture(unsigned unit) const;
 
   /// Binds the table as a storage buffer to a binding point.
   ///
-  /// throws  Unsupported where this OpenGL has no storage buffers
+  /// throws  Unsupported if this OpenGL has no storage buffers
   void bind_storage(unsigned binding) const;
 
  private:
@@ -44,7 +44,7 @@ class BufferTable {
   TextureName texture_;
 };
 
-/// throws   Unsupported where this OpenGL has no storage buffers
+/// throws   Unsupported if this OpenGL has no storage buffers
 void expect_storage_buffers();
 
 }  // namespace litfog::gl

@@ -3,10 +3,10 @@
 
 namespace litfog::gl {
 
-/// Clears a pending GL error, which is a bug of the caller, and throws.
+/// Clears a pending GL error, which is a caller's bug, and throws.
 ///
 /// action   what was done, for the message
-/// throws   std::logic_error naming the error and `action`; std::bad_alloc where OpenGL has run out of memory
+/// throws   std::logic_error naming the error and `action`; std::bad_alloc if OpenGL has run out of memory
 /// threads  asks the calling thread's current context
 void check_errors(const char* action);
 

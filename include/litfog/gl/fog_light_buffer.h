@@ -21,7 +21,7 @@ class FogLightBuffer {
   void upload(const FogLightBlock& block);
   /// Uploads the fog alone.
   void upload(const FogHeader& header);
-  /// Uploads the fog and the changed ranges of a FogUpdater's tables; the first time the whole tables.
+  /// Uploads the fog and the changed ranges of a FogUpdater's tables, or the whole tables the first time.
   ///
   /// throws  std::invalid_argument for more kinds or instances than kMaxFogLights
   void upload(const FogHeader& header, std::span<const FogLightKind> kinds, std::span<const FogLightInstance> instances,

@@ -19,14 +19,14 @@ class FogLightTables {
   /// throws  Unsupported in a context of OpenGL ES, which has no buffer textures
   FogLightTables();
 
-  /// Uploads the changed ranges, or the whole table the first time and when it outgrows its buffer. That replaces the
-  /// active texture unit's binding of GL_TEXTURE_BUFFER, so bind textures afterwards.
+  /// Uploads the changed ranges; uploads a whole table the first time and when it outgrows its buffer, which changes
+  /// the active texture unit's binding of GL_TEXTURE_BUFFER, so bind textures afterwards.
   void upload(std::span<const FogLightKind> kinds, std::span<const FogLightInstance> instances,
               const FogLightChanges& changes);
 
   /// Binds the tables as textures to texture units, for the samplers litfog_kind_buffer and litfog_instance_buffer.
   ///
-  /// throws  Unsupported where a table has more texels than this OpenGL's buffer textures
+  /// throws  Unsupported if a table has more texels than this OpenGL's buffer textures can hold
   void bind_textures(unsigned kind_unit, unsigned instance_unit) const;
 
   /// Binds the tables as storage buffers to binding points: the shader's LITFOG_KIND_BINDING and
@@ -41,9 +41,9 @@ class FogLightTables {
 };
 
 /// Compares the members' offsets in the program's LitfogKindBuffer and LitfogInstanceBuffer, as the driver laid them
-/// out, with the C++ structs': all members of the first entry, and the distance of entries.
+/// out, with the C++ structs': all members of the first entry, and the stride between entries.
 ///
-/// throws   Unsupported naming member, driver's offset and ours, or where this OpenGL has no storage buffers
+/// throws   Unsupported naming member, driver's offset and ours, or if this OpenGL has no storage buffers
 /// threads  like GlName
 void check_fog_light_storage_layout(const Program& program);
 

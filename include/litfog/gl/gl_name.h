@@ -5,10 +5,10 @@
 
 namespace litfog::gl {
 
-/// Owns one OpenGL object by its name: creates it, deletes it, can be moved but not copied.
+/// Owns one OpenGL object: creates and deletes it by its name, can be moved but not copied.
 ///
-/// threads  creation, use and destruction need a context that is current on the calling thread: the same each time, or
-///          one that shares its objects
+/// threads  creation, use and destruction need a current context on the calling thread: the same each time, or one that
+///          shares its objects
 template <unsigned (*create)(), void (*destroy)(unsigned)>
 class GlName {
  public:

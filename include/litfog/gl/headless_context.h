@@ -7,17 +7,17 @@
 namespace litfog::gl {
 
 /// An OpenGL 3.3 core context through EGL without a display or window, current on the creating thread.
-/// Takes the first EGL device that gives one (a GPU before a software rasteriser), else Mesa's surfaceless platform.
+/// Uses the first EGL device that gives one (a GPU before a software rasteriser), else Mesa's surfaceless platform.
 ///
 /// Other contexts are left alone: destroying this one makes the thread's previous context current again, and EGL's
 /// display, which the process shares, stays initialised until the process ends.
 ///
-/// threads  any number of threads may make, use and destroy contexts of their own at once. One context belongs to the
+/// threads  any number of threads may make, use and destroy their own contexts concurrently. A context belongs to the
 ///          thread that made it, which destroys it; contexts nested on a thread are destroyed in reverse order.
 class HeadlessContext {
  public:
-  /// throws Unsupported saying what is missing: a library, a device, memory for the driver, or threads, where too few
-  /// can start; also on a thread that has a current context of GLX
+  /// throws Unsupported saying what is missing: a library, a device, memory for the driver, or enough threads; also on
+  /// a thread with a current GLX context
   HeadlessContext();
   ~HeadlessContext();
   HeadlessContext(const HeadlessContext&) = delete;

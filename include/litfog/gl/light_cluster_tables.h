@@ -14,17 +14,17 @@ class LightClusterTables {
   /// throws  Unsupported in a context of OpenGL ES, which has no buffer textures
   LightClusterTables();
 
-  /// Uploads the table. Needed where LightClusters::update() says that it has changed. Bind the texture afterwards.
+  /// Uploads the table. Needed if LightClusters::update() says that it has changed. Bind the texture afterwards.
   void upload(const LightClusters& clusters);
 
   /// Binds the table as a texture to a texture unit, for the sampler litfog_cluster_buffer.
   ///
-  /// throws  Unsupported where it has more texels than this OpenGL's buffer textures
+  /// throws  Unsupported if it has more texels than this OpenGL's buffer textures can hold
   void bind_texture(unsigned unit) const { table_.bind_texture(unit); }
 
   /// Binds the table as a storage buffer to a binding point: the shader's LITFOG_CLUSTER_BINDING.
   ///
-  /// throws  Unsupported where this OpenGL has no storage buffers
+  /// throws  Unsupported if this OpenGL has no storage buffers
   void bind_storage(unsigned binding) const { table_.bind_storage(binding); }
 
  private:

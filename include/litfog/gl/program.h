@@ -15,8 +15,8 @@ namespace litfog::gl {
 class Program {
  public:
   /// Compiles two or three of the given files behind `#version 330 core`, or `#version 300 es` in a context of
-  /// OpenGL ES or WebGL 2. A line `#include "name"` includes a file of `files` or else of shader_library(),
-  /// each file once. Compile errors name file and line.
+  /// OpenGL ES or WebGL 2. A line `#include "name"` includes a file of `files`, otherwise of shader_library(), and each
+  /// file only once. Compile errors name file and line.
   ///
   /// throws  std::logic_error with the driver's log, because shaders are part of the program
   Program(std::string_view vertex_name, std::string_view fragment_name, std::span<const ShaderSource> files);
@@ -26,7 +26,7 @@ class Program {
 
   unsigned id() const { return name_.id(); }
   void use() const;
-  /// Location of a uniform; -1 (which GL ignores) where the compiler dropped it.
+  /// Location of a uniform; -1 (which GL ignores) if the compiler dropped it.
   int uniform(const char* name) const;
 
  private:

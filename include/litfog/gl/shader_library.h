@@ -6,7 +6,7 @@
 
 namespace litfog::gl {
 
-/// A shader file's text, and the name by which other files include it.
+/// A shader file: its text, and the name by which other files include it.
 struct ShaderSource {
   std::string_view name;  ///< e.g. "litfog/shaders/fog.glsl"
   std::string_view text;

@@ -5,7 +5,8 @@
 
 namespace litfog::gl {
 
-/// Thrown where the machine lacks EGL, an OpenGL 3.3 context, an extension or a limit. what() is one sentence.
+/// Thrown if the machine lacks EGL, an OpenGL 3.3 context or an extension, or a limit is too low. what() is one
+/// sentence.
 struct Unsupported : std::runtime_error {
   using std::runtime_error::runtime_error;
 };

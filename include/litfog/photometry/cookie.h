@@ -15,12 +15,12 @@ namespace litfog {
 inline constexpr int kMaxCookieSize = 4096;
 
 /// A light's full angular shape as a cube map (Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights
-/// in OpenGL"), looked up by directions in the light's frame: the axis is -z, like the default direction of a placed
-/// light, and +y is up.
+/// in OpenGL"), looked up by directions in the light's frame: the axis is -z, like a placed light's default direction,
+/// and +y is up.
 struct Cookie {
   int size = 0;  ///< texels along an edge, [1, kMaxCookieSize]
-  /// Intensity over the light's peak, [0, 1]: 6 * size * size texels, faces +x -x +y -y +z -z, each with its rows and
-  /// columns as glTexImage2D takes them (OpenGL 4.6, table 8.19).
+  /// Intensity over the light's peak, [0, 1]: 6 * size * size texels, faces +x -x +y -y +z -z, with rows and columns in
+  /// the order of glTexImage2D (OpenGL 4.6, table 8.19).
   std::vector<float> texels;
 };
 
@@ -41,14 +41,14 @@ Cookie make_cookie(int size, const std::function<double(const glm::dvec3& direct
 /// throws     std::invalid_argument naming field, value and rule
 Cookie bake_cookie(const IntensityDistribution& distribution, int size, const glm::dvec3& axis = kPhotometricAxis);
 
-/// Intensity over the light's peak towards a direction: bilinear between the four nearest texels of its face, as a cube
-/// map without seamless filtering is looked up.
+/// Intensity over the light's peak towards a direction: bilinear between the four nearest texels of its face, like a
+/// cube map without seamless filtering.
 ///
 /// cookie     must pass find_error(); not checked here
 /// direction  of any length but 0
 double cookie_at(const Cookie& cookie, const glm::dvec3& direction);
 
-/// A cookie resampled to another number of texels along an edge, by cookie_at() at their centres.
+/// A cookie resampled to another size, by cookie_at() at the new texels' centres.
 Cookie resize_cookie(const Cookie& cookie, int size);
 
 }  // namespace litfog

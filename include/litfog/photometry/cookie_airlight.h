@@ -21,14 +21,14 @@ inline constexpr double kCookieAirlightMaxError = 1 / 255.;
 double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
                 const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
 
-/// Airlight with a cookie by adaptive quadrature, cut wherever the ray passes from one texel to another.
+/// Airlight with a cookie by adaptive quadrature, split wherever the ray passes from one texel to another.
 ///
 /// max error  kReferenceAirlightMaxError                                                   (cookie_airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 double reference_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
                           const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
 
-/// Of a cookie about the light's axis (scattered_beam.h).
+/// Moments of a cookie about the light's axis (scattered_beam.h).
 BeamMoments beam_moments(const Cookie& cookie);
 
 }  // namespace litfog

@@ -5,10 +5,10 @@
 
 namespace litfog {
 
-/// A position on a cube map, as OpenGL looks it up (OpenGL 4.6, section 8.13 and table 8.19).
+/// A position on a cube map in OpenGL's convention (OpenGL 4.6, section 8.13 and table 8.19).
 struct CubePosition {
   int face;     ///< 0 to 5: +x -x +y -y +z -z
-  double u, v;  ///< [-1, 1] along the face's columns and rows, as glTexImage2D takes them
+  double u, v;  ///< [-1, 1] along the face's columns and rows, in the order of glTexImage2D
 };
 
 /// The direction towards a position, of length 1 to sqrt(3): its largest component is 1 in magnitude.

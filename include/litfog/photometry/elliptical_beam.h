@@ -10,36 +10,36 @@
 namespace litfog {
 
 /// A line of equal intensity about an axis, an ellipse in angles as isocandela diagrams draw it (ICAO Annex 14,
-/// appendix 2): the directions at an angle u from the axis and a turn t about it, from the light's +x, with (u cos t /
-/// horizontal)^2 + (u sin t / vertical)^2 = 1.
+/// appendix 2): the directions at an angle u from the axis, turned about it by t from the light's +x, with
+/// (u cos t / horizontal)^2 + (u sin t / vertical)^2 = 1.
 struct IsocandelaEllipse {
   double intensity = 0;   ///< candela, [0, 1e30]
   double horizontal = 0;  ///< half axis, radians, (0, pi]
   double vertical = 0;    ///< half axis, radians, (0, pi]
 };
 
-/// What is wrong with ellipses, or nothing. There must be at least one, and not all may be dark. From each to the next
+/// What is wrong with ellipses, or nothing. There must be at least one, and not all may be dark. From one to the next,
 /// both half axes must grow, and the intensity must not.
 std::optional<ValueError> find_error(const std::vector<IsocandelaEllipse>& ellipses);
 
-/// Largest errors of elliptical_beam() for ellipses of ratios up to 4: relative, of the flux; as a fraction of the
-/// peak, of the intensity where it is continuous.
+/// Largest errors of elliptical_beam() for ellipses with axis ratios up to 4: of the flux relative; of the intensity,
+/// where it is continuous, as a fraction of the peak.
 inline constexpr double kEllipticalFluxMaxError = 1e-4;
 inline constexpr double kEllipticalBeamMaxError = 0.03;
 
 /// A beam from its isocandela lines, as a table of type C about the photometric axis, at 512 angles within the beam.
-/// Within the first line the intensity is that line's, between two lines it is linear in the angle from the axis, and
+/// Within the first line the intensity is the line's, between two lines it is linear in the angle from the axis, and
 /// beyond the last it is 0.
 ///
 /// max error   kEllipticalFluxMaxError, kEllipticalBeamMaxError                              (elliptical_beam_test.cpp)
 /// throws      std::invalid_argument naming field, value and rule
 IntensityDistribution elliptical_beam(const std::vector<IsocandelaEllipse>& ellipses);
 
-/// Largest error of equal_circle(), radians, for ellipses of ratios up to 20.
+/// Largest error of equal_circle(), radians, for ellipses with axis ratios up to 20.
 inline constexpr double kEqualCircleMaxError = 1e-12;
 
-/// Half angle of the circle that encloses the solid angle of an ellipse. A beam whose isocandela lines are replaced by
-/// such circles keeps its flux. About sqrt(horizontal * vertical) where the ellipse is small.
+/// Half angle of the circle with the solid angle of an ellipse. A beam whose isocandela lines are replaced by such
+/// circles keeps its flux. For small ellipses it is about sqrt(horizontal * vertical).
 ///
 /// horizontal, vertical  half axes, radians, (0, pi]
 /// returns               radians

@@ -11,8 +11,8 @@ namespace litfog {
 
 class GldfArchive;
 
-/// A GLDF container (Global Lighting Data Format, gldf.io: a zip archive with a product.xml), whose directory is read
-/// once, for reading all of its photometric files. Threads may read files at once.
+/// A GLDF container (Global Lighting Data Format, gldf.io: a zip archive with a product.xml). It reads the archive's
+/// directory once, then any of the photometric files. Threads may read files concurrently.
 ///
 ///     const GldfContainer container("set.gldf");
 ///     for (const std::string& file : container.files()) use(container.read(file));
@@ -23,8 +23,8 @@ class GldfContainer {
   explicit GldfContainer(const std::string& path);
 
   /// The photometric files in the order of product.xml, as paths that read_luminaire() takes: "lamp.gldf/ldc/spot.ldt".
-  /// A file defined twice is listed once. Files that the container only links to, on the net, are left out. Names in
-  /// the archive are in UTF-8 or code page 850, with slashes or, as Windows writes them, backslashes.
+  /// A file defined twice is listed once. Web links are left out. Names in the archive are in UTF-8 or code page 850,
+  /// with slashes or, as Windows writes them, backslashes.
   const std::vector<std::string>& files() const { return files_; }
 
   /// Reads one of files(). Throws InputError.

@@ -12,18 +12,18 @@ namespace litfog {
 bool is_ies(std::string_view text);
 
 /// Parses an IES LM-63 file of any edition: 1986 (without label), 1991, 1995, 2002, 2019. Numbers may be separated by
-/// white space, commas and line ends; counts may be written as decimals, exponents as Fortran's, 1.5D+03. Text is
-/// UTF-8, UTF-16, or in a code page, which is guessed.
+/// white space, commas and line ends. Counts may be decimals, and exponents Fortran's (1.5D+03). Text is UTF-8, UTF-16,
+/// or in a code page, which is guessed.
 ///
 /// Intensities are the file's values times its multiplier, its ballast factor and, in 1986 and 1991 only, the
 /// ballast-lamp photometric factor (later editions use its field otherwise). Neither the number of lamps nor TILT
-/// changes them. A field that changes no intensity may be any number; an impossible number counts as not stated.
-/// Intensities below 0 by no more than 0.1 % of the largest are noise of dark directions and become 0.
+/// changes them. A field that does not affect intensities may be any number; an impossible number counts as not stated.
+/// Intensities below 0 by no more than 0.1 % of the largest are noise in dark directions and become 0.
 ///
 /// Errors, besides missing or malformed numbers: intensities further below 0 or all 0, a multiplier or factor <= 0,
-/// angles beyond their type's range or not increasing, more than 10,000 of them, horizontal angles of type C that are
-/// more than one and span neither a turn nor the part of it that a symmetry leaves, numbers after the last intensity. A
-/// turn whose last plane is short of 360 degrees by no more than the widest step is closed with the first plane.
+/// angles beyond their type's range or not increasing, more than 10,000 angles, two or more horizontal angles of type C
+/// that span neither 360 degrees nor the part of it that a symmetry needs, numbers after the last intensity. If the
+/// last plane is short of 360 degrees by no more than the widest step, the first plane closes the circle.
 ///
 /// name       the file's, for messages; TILT=file is looked for below its folder
 /// throws     InputError

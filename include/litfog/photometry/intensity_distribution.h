@@ -14,12 +14,12 @@ namespace litfog {
 /// LM-75-01).
 ///
 /// Directions are in the luminaire frame, the same for all three types: the photometric axis is -z, +y is up (types A
-/// and B), and +x is to the right of one who looks along the axis.
+/// and B), and +x is to the right when looking along the axis.
 ///     A  (cos V sin H, sin V, -cos V cos H)       half planes round the vertical axis, V is the elevation in one
 ///     B  (sin H, cos H sin V, -cos H cos V)       half planes round the horizontal axis, H is the elevation in one
 ///     C  (sin V cos H, sin V sin H, -cos V)       half planes round the photometric axis, V = 0 at the nadir
-/// So H runs clockwise from above in types A and B, and in type C (EULUMDAT: C and gamma) counterclockwise from above
-/// the luminaire, which is behind the light.
+/// Seen from above, H runs clockwise in types A and B. In type C (EULUMDAT: C and gamma) it runs counterclockwise, seen
+/// from above the luminaire, which is behind the light.
 enum class PhotometryType { a, b, c };
 
 /// The axis of every photometric file: the nadir in type C, H = V = 0 in types A and B.
@@ -29,8 +29,8 @@ inline constexpr glm::dvec3 kPhotometricAxis{0, 0, -1};
 inline constexpr double kMaxIntensity = 1e30;
 
 /// Luminous intensity by direction, as measured. It is bilinear between the measured angles and 0 outside them. On the
-/// axis of type C, where all planes meet, the intensity is their mean over the turn. Symmetry is applied at look-up, so
-/// that only the measured part is stored.
+/// axis of type C, where all planes meet, it is their mean. Symmetry is applied at look-up, so only the measured part
+/// is stored.
 struct IntensityDistribution {
   PhotometryType type = PhotometryType::c;
 
@@ -41,12 +41,12 @@ struct IntensityDistribution {
   /// Radians, strictly increasing, at least two. Type C: within [0, pi]. Types A and B: within [-pi / 2, pi / 2] (A) or
   /// [-pi, pi] (B); mirrored at 0 if they start there.
   std::vector<double> vertical;
-  /// Candela, [0, kMaxIntensity], not all 0; that of horizontal[h] and vertical[v] is at h * vertical.size() + v.
+  /// Candela, [0, kMaxIntensity], not all 0; the index of horizontal[h] and vertical[v] is h * vertical.size() + v.
   std::vector<double> intensity;
 };
 
-/// What is wrong with a distribution, or nothing. Every call below except intensity_at throws std::invalid_argument
-/// with it.
+/// What is wrong with a distribution, or nothing. Every call below except intensity_at() throws it as
+/// std::invalid_argument.
 std::optional<ValueError> find_error(const IntensityDistribution& distribution);
 
 /// Luminous intensity towards a direction.
@@ -56,7 +56,7 @@ std::optional<ValueError> find_error(const IntensityDistribution& distribution);
 /// returns       candela
 double intensity_at(const IntensityDistribution& distribution, const glm::dvec3& direction);
 
-/// Luminous flux in lumens: the intensity as interpolated, integrated over the sphere in closed form.
+/// Luminous flux in lumens: the interpolated intensity, integrated over the sphere in closed form.
 ///
 /// max error     1e-12 relative                                               (intensity_distribution_test.cpp)
 double luminous_flux(const IntensityDistribution& distribution);
@@ -68,7 +68,7 @@ struct IntensityPeak {
 };
 IntensityPeak find_peak(const IntensityDistribution& distribution);
 
-/// A type's two angles of a direction, radians: horizontal in (-pi, pi], in [-pi / 2, pi / 2] for type B.
+/// The two angles of a direction, radians: horizontal in (-pi, pi], in [-pi / 2, pi / 2] for type B.
 struct PhotometricAngles {
   double horizontal;
   double vertical;
@@ -80,8 +80,8 @@ PhotometricAngles angles_of(PhotometryType type, const glm::dvec3& direction);
 /// The direction of a type's two angles, in radians: unit, luminaire frame.
 glm::dvec3 direction_of(PhotometryType type, double horizontal, double vertical);
 
-/// The rotation from the frame of a light with an axis, which is its -z, to the luminaire frame: the identity for the
-/// photometric axis. The light's +y is as near to the luminaire's as the axis lets it be, or to -z where that is +y or
+/// The rotation from a light's frame, whose -z is the light's axis, to the luminaire frame: the identity for the
+/// photometric axis. The light's +y is as near to the luminaire's +y as the axis allows, or to -z if the axis is +y or
 /// -y.
 ///
 /// axis      luminaire frame, of any length but 0

@@ -13,17 +13,17 @@ namespace litfog {
 /// in quotes. Lines that begin with # are comments, of which the first is the light's name. The light's axis is at 0, 0.
 /// The header says which kind of table it is.
 ///
-/// A grid has horizontal angles, to the right of the axis, in its header, and in each row a vertical angle, above the
-/// axis, and the candela there. Both are degrees of type A (litfog/photometry/intensity_distribution.h). The horizontal
-/// angles increase, the vertical ones go one way; both have at least two, and those that begin at 0 are mirrored.
+/// A grid's header has horizontal angles, to the right of the axis. Each row has a vertical angle, above the axis, and
+/// the candela there. Angles are degrees of type A (litfog/photometry/intensity_distribution.h). The horizontal angles
+/// increase, the vertical ones go one way. There are at least two of each; angles that begin at 0 are mirrored.
 ///
 ///     # position light, left
 ///     vertical_deg,-110,-20,-10,0
 ///     30,1.5,9,12,12
 ///     0,5,30,40,40
 ///
-/// Ellipses have a row each from the inner to the outer, with half axes in degrees (elliptical_beam()). Within the
-/// first the light has its candela, beyond the last none.
+/// Ellipses have one row each, from the inner to the outer, with half axes in degrees (elliptical_beam()). Within the
+/// first, the light has the first one's candela; beyond the last, it has none.
 ///
 ///     # approach side row light
 ///     candela,horizontal_deg,vertical_deg
@@ -36,7 +36,7 @@ bool is_isocandela(std::string_view text);
 
 /// Parses an isocandela table.
 ///
-/// name       of the file, for messages
+/// name       the file's, for messages
 /// throws     InputError with the line and column of what is wrong
 Luminaire parse_isocandela(std::string text, const std::string& name);
 

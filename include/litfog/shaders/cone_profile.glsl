@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: the profiles of cones as lights state them (LitfogInstance, LitfogAirlight): a number with two figures, x and y.
-// Shared with C++ as formulas.glsl is. What is known of a profile stands here and in litfog/cone.h; everyone else asks.
+// litfog: the profiles of cones as lights store them (LitfogInstance, LitfogAirlight): a number and two parameters, x
+// and y. Shared with C++ like formulas.glsl. Only this file and litfog/cone.h know the profiles; all others ask them.
 
 #ifndef LITFOG_CONE_PROFILE_GLSL
 #define LITFOG_CONE_PROFILE_GLSL
@@ -11,11 +11,11 @@
 #define LITFOG_FUNCTION
 #endif
 
-// Those of ConeProfile, none first. A light whose number is none of them is dark.
+// The numbers of ConeProfile. A light with any other number is dark.
 #define LITFOG_PROFILE_NONE 0.0        // a point light
 #define LITFOG_PROFILE_COSINE 1.0      // x cos half angle, y exponent
 #define LITFOG_PROFILE_SMOOTHSTEP 2.0  // x cos outer, y cos inner
-// Above all of them. It belongs to the including program (light.glsl).
+// Above all of them. The including program evaluates it (light.glsl).
 #define LITFOG_PROFILE_COOKIE 255.0
 
 // Cosine cone: cos^S u inside the half angle, 0 outside  (Hales 2004)
@@ -34,7 +34,7 @@ LITFOG_FUNCTION LITFOG_REAL litfog_smoothstep_cone(LITFOG_REAL cos_angle, LITFOG
   return t * t * (LITFOG_REAL(3.0) - LITFOG_REAL(2.0) * t);
 }
 
-// Whether a light has a cone, beyond whose cosine x it is dark: it is neither a point light nor has it a cookie.
+// Whether a light has a cone and so is dark beyond the cosine x: it is no point light and has no cookie.
 LITFOG_FUNCTION bool litfog_has_cone(LITFOG_REAL profile) {
   return profile != LITFOG_REAL(LITFOG_PROFILE_NONE) && profile != LITFOG_REAL(LITFOG_PROFILE_COOKIE);
 }
@@ -46,12 +46,12 @@ LITFOG_FUNCTION LITFOG_REAL litfog_cone_at(LITFOG_REAL profile, LITFOG_REAL cos_
   return profile == LITFOG_REAL(LITFOG_PROFILE_NONE) ? LITFOG_REAL(1.0) : LITFOG_REAL(0.0);
 }
 
-// Whether a cone falls off from its axis on and is cut off at x. With x = 0 litfog_cone_at() is what it is cut from.
+// Whether a cone falls off from its axis and is cut off at x. With x = 0, litfog_cone_at() gives the uncut shape.
 LITFOG_FUNCTION bool litfog_cone_is_cut_off(LITFOG_REAL profile) {
   return profile == LITFOG_REAL(LITFOG_PROFILE_COSINE);
 }
 
-// Cosine beyond which a cone is dark or, if it is cut off, below 1e-5 of what it is at another cosine.
+// Cosine beyond which a cone is dark or, if it is cut off, below 1e-5 of its value at the cosine `brightest`.
 LITFOG_FUNCTION LITFOG_REAL litfog_cone_end(LITFOG_REAL profile, LITFOG_REAL brightest, LITFOG_REAL x, LITFOG_REAL y) {
   if (!litfog_cone_is_cut_off(profile)) return x;
   return max(x, brightest * exp(LITFOG_REAL(-11.5) / max(y, LITFOG_REAL(0.1))));

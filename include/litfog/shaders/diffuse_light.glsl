@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: what surfaces receive of light that comes from many directions. Shared with C++ as formulas.glsl is.
+// litfog: the irradiance of surfaces by light from many directions. Shared with C++ like formulas.glsl.
 
 #ifndef LITFOG_DIFFUSE_LIGHT_GLSL
 #define LITFOG_DIFFUSE_LIGHT_GLSL
@@ -10,10 +10,10 @@
 #define LITFOG_FUNCTION
 #endif
 
-// Irradiance of a surface in light of which the sum over all directions and the flow are known. Two things are exact:
-// the mean over all ways in which the surface may face, all / 4, and the difference between two sides, facing. Between
-// them the light is taken as even but for a peak about the flow. The width of that peak is fitted to the light around a
-// lamp in fog, all orders of scattering together, for isotropic fog, HG 0.79 and 0.93 and droplets of 8.4 and 17.
+// Irradiance of a surface from the light's fluence and flow. Two things are exact: the mean over all orientations of
+// the surface, all / 4, and the difference between its two sides, facing. In between, radiance is taken as uniform plus
+// a peak about the flow. The width of that peak is fitted to the light around a lamp in fog, all orders of scattering
+// together, for isotropic fog, HG 0.79 and 0.93 and droplets of 8.4 and 17.
 //
 // all     integral of the radiance over all directions
 // flow    length of the integral of the radiance times the direction

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: a directional light, such as the sun or the moon, in exp fog; single scattering. It adds
-// litfog_airlight_unit() * colour * litfog_directional_airlight() to what the eye sees, and lights surfaces through
-// litfog_directional_factor(). It is not for exp2 fog. GLSL includes this file like any other; C++ takes the same text
-// in src/airlight/directional_airlight.cpp.
+// litfog: a directional light, such as the sun or the moon, in exp fog (not exp2); single scattering. It adds
+// litfog_airlight_unit() * colour * litfog_directional_airlight() to a picture. litfog_directional_factor() dims its
+// light on surfaces. GLSL includes this file like any other; C++ takes the same text in
+// src/airlight/directional_airlight.cpp.
 //
-// The fog is level, so that along a ray the depth of the light's leg changes in proportion to the depth t of the eye's
-// leg. With x the sum of both and D the ray's end the airlight is, whatever the density over height,
+// The fog is level, so along a ray the depth of the light's leg changes in proportion to the depth t of the eye's leg.
+// With x the sum of both and D the ray's end, the airlight for any density over height is
 //   phase * integral of e^-x dt = phase * t(D) * (e^-x(0) - e^-x(D)) / (x(D) - x(0)),
 // the slab of Subrahmanyan Chandrasekhar 1960, "Radiative Transfer", with its sources along the light. The light enters
-// at a top (Atmosphere::light_top), above which fog of one density still lies on all rays but those to the sky: there
-// the light has no leg, and a ray is cut where it crosses the top.
+// at a top (Atmosphere::light_top). Above it, uniform fog still lies on all rays except those to the sky; there the
+// light has no leg, and a ray is split where it crosses the top.
 
 #ifndef LITFOG_DIRECTIONAL_AIRLIGHT_GLSL
 #define LITFOG_DIRECTIONAL_AIRLIGHT_GLSL
@@ -23,8 +23,8 @@
 
 // Depth of the fog from a height to a light, at most 1e30, which stands for infinity.
 //
-// density  of the fog apart from layers, 1/m
-// slope    sine of the light's elevation; light from below is kept out by fog without layers, which has no bottom
+// density  of the fog without layers, 1/m
+// slope    sine of the light's elevation; fog without layers has no bottom and keeps out light from below
 // top      metres: Atmosphere::light_top()
 LITFOG_FUNCTION LITFOG_REAL litfog_depth_to_light(LITFOG_REAL density, LITFOG_REAL height, LITFOG_REAL slope,
                                                   LITFOG_REAL top) {
@@ -45,7 +45,7 @@ LITFOG_FUNCTION LITFOG_REAL litfog_depth_between(LITFOG_REAL density, LITFOG_REA
   return min((density + litfog_mean_density(height_a, height_b)) * range, LITFOG_REAL(1.0e29));
 }
 
-// Mean of e^-x between two x >= 0; 0 where one stands for infinity, because then no more than the other end is lit.
+// Mean of e^-x between two x >= 0; 0 if one stands for infinity, because then at most the other end is lit.
 LITFOG_FUNCTION LITFOG_REAL litfog_mean_factor(LITFOG_REAL a, LITFOG_REAL b) {
   if (max(a, b) >= LITFOG_REAL(1.0e30)) return LITFOG_REAL(0.0);
   LITFOG_REAL rise = abs(b - a);
@@ -53,7 +53,7 @@ LITFOG_FUNCTION LITFOG_REAL litfog_mean_factor(LITFOG_REAL a, LITFOG_REAL b) {
   return exp(-min(a, b)) * mean;
 }
 
-// Airlight along a ray over the phase function, with the arguments of litfog_depth_to_light().
+// Airlight along a ray, divided by the phase function, with the arguments of litfog_depth_to_light().
 //
 // rise   sine of the ray's elevation
 // range  metres along it, finite
@@ -78,7 +78,7 @@ LITFOG_FUNCTION LITFOG_REAL litfog_directional_scattering(LITFOG_REAL density, L
 #undef LITFOG_REAL
 
 #ifndef __cplusplus
-// Density of the fog apart from layers, 1/m. Finite: 1e6 is a visibility of micrometres.
+// Density of the fog without layers, 1/m. Finite: 1e6 is a visibility of micrometres.
 float litfog_directional_density() { return min(litfog_fog.x, 1.0e6); }
 
 // Fraction of the light that reaches a height.
@@ -88,8 +88,8 @@ float litfog_directional_factor(float height, vec3 to_light, float top) {
 
 // Airlight along a ray from the eye. Largest error: 2e-5 of the phase function's value.
 //
-// direction  unit, of the ray
-// range      metres along it, finite: to the surface or to the end of the fog
+// direction  the ray's, unit
+// range      metres along it, finite: to the surface or the end of the fog
 // to_light   unit
 float litfog_directional_airlight(vec3 eye, vec3 direction, float range, vec3 to_light, float top) {
   vec3 turn = direction - to_light;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: what lights add to the airlight beyond their extents. One light's is faint, but that of thousands is most of
-// what the fog shows. It changes slowly over the picture, so that it is summed over all lights in a coarse grid of rays
-// once a frame (litfog/gl/far_airlight.h), and fragments look the sum up.
+// litfog: the airlight that lights add beyond their extents. One light adds little, but thousands add most of the fog's
+// light. It changes slowly over the picture, so it is summed over all lights in a coarse grid of rays once per frame
+// (litfog/gl/far_airlight.h), and fragments look the sum up.
 //
-// Angles of scattering below litfog_far_peak_angle count as that angle, because the peak of a phase function is too
-// narrow for the grid. litfog_far_peak() is the rest of a light, for a host that draws it light by light.
+// Scattering angles below litfog_far_peak_angle count as that angle, because the peak of a phase function is too
+// narrow for the grid. litfog_far_peak() is what is missing of a light, for a host that draws it light by light.
 //
 // In Vulkan the grid is at LITFOG_SET (default 0) and LITFOG_FAR_AIRLIGHT_BINDING (default 6).
 
@@ -20,26 +20,26 @@
 #endif
 layout(set = LITFOG_SET, binding = LITFOG_FAR_AIRLIGHT_BINDING)
 #endif
-// A texel is a ray; those at the edges lie on the picture's edges. Layer i has the airlight (rgb) up to the end of slab
-// i of the ray, and how many metres from the eye that is (alpha). Linear filters, clamped to the edges.
+// A texel is a ray; texels at the edges lie on the picture's edges. Layer i has the airlight (rgb) up to the end of
+// slab i of the ray, and that end's distance from the eye in metres (alpha). Linear filters, clamped to the edges.
 uniform highp sampler2DArray litfog_far_airlight_grid;
 
-const int litfog_far_slabs = 8;  // the draw buffers that every OpenGL 3.3 has, a layer each
+const int litfog_far_slabs = 8;  // one layer per draw buffer; every OpenGL 3.3 has 8
 const float litfog_far_peak_angle = 0.15;  // radians
 const float litfog_far_peak_versine = 2.0 * sin(0.5 * litfog_far_peak_angle) * sin(0.5 * litfog_far_peak_angle);
 const float litfog_far_peak_cotangent = 1.0 / tan(litfog_far_peak_angle);
 
-// Where a slab begins, in metres from the eye. Slabs grow with the distance.
+// Where a slab begins, in metres from the eye. Slabs grow with distance.
 //
-// depth  metres that all slabs cover
+// depth  metres that all slabs cover together
 float litfog_far_slab_begin(int slab, float depth) {
   float part = float(slab) / float(litfog_far_slabs);
   return depth * part * part;
 }
 
-// A light's airlight beyond its extent between two points of a ray, to be multiplied with the light's colour and
-// litfog_airlight_unit(). The fog is taken as even between them; the light has its mean of 1 / range^2 there, and the
-// cone and the angle of scattering of the middle.
+// A light's airlight beyond its extent between two points of a ray. Multiply it by the light's colour and
+// litfog_airlight_unit(). The fog is taken as uniform between the points; 1 / range^2 is its mean there, and the cone
+// and the scattering angle are those of the middle.
 //
 // direction   unit, from the eye
 // begin, end  metres along the ray, begin < end
@@ -72,9 +72,9 @@ float litfog_far_airlight_between(LitfogLight light, LitfogPhase phase, vec3 eye
   return scattered * litfog_phase(phase, max(1.0 + dot(direction, to_middle), litfog_far_peak_versine));
 }
 
-// The layers of the grid at a ray, of some lights of light_buffer.glsl alone: layers of other lights are added to them.
+// The layers of the grid at a ray for some lights of light_buffer.glsl; layers of other lights are added to them.
 //
-// first, count  of the lights
+// first, count  the range of lights
 // depth         metres along the ray that the grid covers
 void litfog_sum_far_airlight(int first, int count, vec3 eye, vec3 direction, float depth,
                              out vec4 layers[litfog_far_slabs]) {
@@ -97,9 +97,9 @@ void litfog_sum_far_airlight(int first, int count, vec3 eye, vec3 direction, flo
 
 // The airlight that all lights add beyond their extents along a ray from the eye.
 //
-// place      of the fragment in the picture, from 0 to 1, y up: gl_FragCoord.xy over the picture's size
+// place      the fragment's position in the picture, from 0 to 1, y up: gl_FragCoord.xy over the picture's size
 // direction  unit, from the eye
-// range      metres along it: to the surface or to the end of the fog
+// range      metres along it: to the surface or the end of the fog
 vec3 litfog_far_airlight(vec2 place, vec3 eye, vec3 direction, float range) {
   vec2 size = vec2(textureSize(litfog_far_airlight_grid, 0).xy);
   vec2 at = (place * (size - 1.0) + 0.5) / size;
@@ -109,7 +109,7 @@ vec3 litfog_far_airlight(vec2 place, vec3 eye, vec3 direction, float range) {
   int slab = min(int(sqrt(reached / depth) * float(litfog_far_slabs)), litfog_far_slabs - 1);
   vec3 before = slab > 0 ? textureLod(litfog_far_airlight_grid, vec3(at, float(slab - 1)), 0.0).rgb : vec3(0.0);
   vec3 behind = textureLod(litfog_far_airlight_grid, vec3(at, float(slab)), 0.0).rgb;
-  // Within the slab it grows as the fog hides what is behind.
+  // Within the slab the airlight grows with the fog's opacity.
   float begin = litfog_far_slab_begin(slab, depth);
   float end = litfog_far_slab_begin(slab + 1, depth);
   float hidden = litfog_fog_opacity(eye.y, eye.y + begin * direction.y, begin, 1.0);
@@ -118,14 +118,14 @@ vec3 litfog_far_airlight(vec2 place, vec3 eye, vec3 direction, float range) {
   return mix(before, behind, clamp(more / max(most, 1.0e-30), 0.0, 1.0));
 }
 
-// What the peak of the phase function adds to the airlight of a light beyond its extent: along rays that pass it within
-// litfog_far_peak_angle, the fog between the eye and the extent scatters more by the difference of the phase function
-// to its value at that angle. To be multiplied with the light's colour and litfog_airlight_unit().
+// What the peak of the phase function adds to a light's airlight beyond its extent. Along rays that pass the light
+// within litfog_far_peak_angle, the fog between the eye and the extent scatters more, by the difference of the phase
+// function to its value at that angle. Multiply it by the light's colour and litfog_airlight_unit().
 //
-// air  of litfog_light_airlight_ray()
+// air  from litfog_light_airlight_ray()
 float litfog_far_peak(LitfogAirlight air) {
   if (litfog_is_isotropic(air.phase)) return 0.0;
-  // The stretch as distances before the closest approach to the light.
+  // The stretch ends at these distances before the closest approach to the light.
   float nearest = max(max(litfog_airlight_chord(air, air.extent), air.offset * litfog_far_peak_cotangent),
                       air.approach - air.ray_length);
   if (!(air.approach > nearest) || air.offset * litfog_far_peak_cotangent >= air.approach || nearest <= 0.0) return 0.0;

@@ -4,8 +4,8 @@
 // LITFOG_FOG_LIGHTS, defined before the first include of litfog, leaves litfog_lights_fog() to the including program,
 // which adds up litfog_light_fog() over lights of its own choice, in the block or elsewhere.
 //
-// A program for fog of one mode may define LITFOG_FOG_MODE, 0.0 (exp) or 1.0 (exp2), before the first include of
-// litfog; compilers then leave the other out. LITFOG_KNOT_COUNT of density_profile.glsl does so for layers.
+// A program for one fog mode may define LITFOG_FOG_MODE, 0.0 (exp) or 1.0 (exp2), before the first include of litfog;
+// compilers then drop the other. LITFOG_KNOT_COUNT of density_profile.glsl does the same for layers.
 
 #ifndef LITFOG_FOG_GLSL
 #define LITFOG_FOG_GLSL
@@ -13,7 +13,7 @@
 #include "litfog/shaders/density_profile.glsl"
 #include "litfog/shaders/light_block.glsl"
 
-// As litfog_is_exp() takes it.
+// The fog mode, for litfog_is_exp().
 #ifdef LITFOG_FOG_MODE
 float litfog_fog_mode() { return LITFOG_FOG_MODE; }
 #else
@@ -28,8 +28,7 @@ float litfog_fog_density(float height_a, float height_b) {
   return litfog_fog.x + litfog_mean_density(height_a, height_b);
 }
 
-// Opacity 1 - f of the fog over a range between two heights. density_scale is a light's for the fog that its class
-// sees, 1 for surfaces.
+// Opacity 1 - f of the fog over a range between two heights. density_scale is the light's, or 1 for surfaces.
 float litfog_fog_opacity(float height_a, float height_b, float range, float density_scale) {
   // Finite, because infinity gives NaN at range 0.
   float density = min(litfog_fog_density(height_a, height_b) * density_scale, 3.4e38);
@@ -37,13 +36,13 @@ float litfog_fog_opacity(float height_a, float height_b, float range, float dens
                                                          : litfog_depth_exp2(range, density));
 }
 
-// Fraction of a light that passes through the fog from the lamp to a height at a range. For single scattering
-// (litfog/shaders/light_airlight.glsl) it dims the light that arrives at a surface.
+// Fog factor from the lamp to a height at a range. With single scattering (litfog/shaders/light_airlight.glsl) it also
+// dims the light that arrives at a surface.
 float litfog_lamp_factor(LitfogLight light, float height, float range) {
   return 1.0 - litfog_fog_opacity(light.position_extent.y, height, range, light.attenuation.w);
 }
 
-// One light's part of a fragment's fog colour: colour * cone * fog colour intensity (Steven Hales 2004, "Realtime Pixel
+// A light's part of a fragment's fog colour: colour * cone * fog colour intensity (Steven Hales 2004, "Realtime Pixel
 // Lighting Using Fragment Programs", section "Lighting in Fog"). light_airlight.glsl has the airlight instead.
 vec3 litfog_light_fog(LitfogLight light, vec3 position) {
   vec3 direction = litfog_ray(light.position_extent.xyz, position).xyz;

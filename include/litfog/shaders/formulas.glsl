@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: the scalar formulas of the model in metres, 1/m and cosines. GLSL includes this file like any other; C++
+// litfog: the scalar formulas of the model in metres, 1/m and cosines. GLSL includes this file like any other. C++
 // takes the same text through litfog/formulas.h, which defines LITFOG_REAL and LITFOG_FUNCTION first and drops the
-// prefix litfog_ of every function, so that no variable here may have a function's name without it.
+// prefix litfog_ of every function. So no variable here may have a function's name without the prefix.
 
 #ifndef LITFOG_FORMULAS_GLSL
 #define LITFOG_FORMULAS_GLSL
@@ -32,7 +32,7 @@ LITFOG_FUNCTION LITFOG_REAL litfog_depth_exp2(LITFOG_REAL range, LITFOG_REAL den
   return (density * range) * (density * range);
 }
 
-// Whether a fog's mode, a number as FogMode has it (litfog/fog.h), is exp; else it is exp2
+// Whether a fog mode, a number of FogMode (litfog/fog.h), is exp; otherwise it is exp2
 LITFOG_FUNCTION bool litfog_is_exp(LITFOG_REAL mode) { return mode == LITFOG_REAL(0.0); }
 
 // 1 - e^-depth without cancellation

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: a light, and its light that arrives at a point. World space, metres.
+// litfog: a light, and how much of its light arrives at a point. World space, metres.
 //
-// Lights are held in two tables, kinds and instances (litfog/fog_light_block.h). light_block.glsl reads them from a
-// uniform block, light_buffer.glsl from textures or storage buffers. A program may use both, or fill a LitfogLight
-// itself.
+// Lights are in two tables, kinds and instances (litfog/fog_light_block.h). light_block.glsl reads them from a uniform
+// block, light_buffer.glsl from textures or storage buffers. A program may use both, or fill a LitfogLight itself.
 //
-// LITFOG_COOKIES, defined before the first include of litfog, opens LITFOG_PROFILE_COOKIE, which belongs to the
-// including program: the program defines litfog_cookie(), and litfog_cookie_cone(), which fills the light's cone for it.
+// LITFOG_COOKIES, defined before the first include of litfog, enables LITFOG_PROFILE_COOKIE. The including program then
+// defines litfog_cookie(), and litfog_cookie_cone(), which fills the light's cone field for it.
 
 #ifndef LITFOG_LIGHT_GLSL
 #define LITFOG_LIGHT_GLSL
@@ -50,8 +49,8 @@ LitfogLight litfog_light(LitfogInstance instance, LitfogKind kind) {
                      vec4(kind.attenuation_extent.xyz, kind.cone_scale_intensity.z), cone);
 }
 
-// A ray from one point to another: xyz its unit direction, w its length. Between equal points the direction is 0, which
-// no cone and no surface faces.
+// A ray from one point to another: xyz unit direction, w length. Between equal points the direction is 0, which no cone
+// and no surface faces.
 vec4 litfog_ray(vec3 from, vec3 to) {
   vec3 offset = to - from;
   float range = length(offset);
@@ -77,8 +76,8 @@ float litfog_range_attenuation(LitfogLight light, float range) {
   return litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z);
 }
 
-// Light that arrives at the end of a ray from the light: colour * cone * range attenuation. It has no early exit,
-// because on some drivers a branch costs more than it saves; the caller leaves out lights that do not reach.
+// Light that arrives at the end of a ray from the light: colour * cone * range attenuation. There is no early exit,
+// because a branch costs more than it saves on some drivers; callers skip lights that do not reach.
 vec3 litfog_light_along(LitfogLight light, vec4 ray) {
   return light.color_intensity.rgb * (litfog_cone(light, ray.xyz) * litfog_range_attenuation(light, ray.w));
 }

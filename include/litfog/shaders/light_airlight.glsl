@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: the airlight of a light in the fog of the block, as the eye sees it along a ray, single scattering:
-// litfog_airlight_unit() * colour * airlight, in the unit of the surfaces that the light lights. Surfaces are then lit
-// through litfog_lamp_factor() (litfog/shaders/fog.glsl).
+// litfog: the airlight of a light in the block's fog along a ray from the eye, single scattering:
+// litfog_airlight_unit() * colour * airlight, in the unit of surfaces that the light lights. Light on surfaces is then
+// dimmed by litfog_lamp_factor() (litfog/shaders/fog.glsl).
 
 #ifndef LITFOG_LIGHT_AIRLIGHT_GLSL
 #define LITFOG_LIGHT_AIRLIGHT_GLSL
@@ -9,10 +9,10 @@
 #include "litfog/shaders/fog.glsl"
 
 #ifdef LITFOG_COOKIES
-// What litfog_light_airlight_ray() leaves for litfog_airlight_cookie().
+// Set by litfog_light_airlight_ray() for litfog_airlight_cookie().
 LitfogLight litfog_cookie_light;
 vec3 litfog_cookie_offset;     // from the light to the ray's closest approach
-vec3 litfog_cookie_direction;  // of the ray
+vec3 litfog_cookie_direction;  // the ray's
 #endif
 #include "litfog/shaders/airlight.glsl"
 
@@ -23,16 +23,16 @@ float litfog_airlight_cookie(LitfogAirlight air, float along) {
 }
 #endif
 
-// Density of the fog as the light's class sees it, 1/m. Finite: 1e6 is a visibility of micrometres.
+// Density of the fog for the light's class, 1/m. Finite: 1e6 is a visibility of micrometres.
 float litfog_light_fog_density(LitfogLight light) { return min(litfog_fog.x * light.attenuation.w, 1.0e6); }
 
 // Factor of the density profile for the light's class; 0 where there are no layers.
 float litfog_layer_scale(LitfogLight light) { return litfog_knot_count() > 0 ? light.attenuation.w : 0.0; }
 
-// The light as a ray from the eye sees it, for litfog_airlight() with as many nodes as its stated errors need.
+// The light relative to a ray from the eye, for litfog_airlight() with as many nodes as its stated errors need.
 //
 // direction  unit, from the eye
-// range      metres along it: to the surface or to the end of the fog
+// range      metres along it: to the surface or the end of the fog
 LitfogAirlight litfog_light_airlight_ray(LitfogLight light, vec3 eye, vec3 direction, float range) {
   vec3 to_light = light.position_extent.xyz - eye;
   float approach = dot(to_light, direction);
@@ -50,15 +50,15 @@ LitfogAirlight litfog_light_airlight_ray(LitfogLight light, vec3 eye, vec3 direc
                         eye.y + approach * direction.y, direction.y, light.position_extent.y);
 }
 
-// The light's airlight along a ray of litfog_light_airlight_ray().
+// The light's airlight along a ray, with the arguments of litfog_light_airlight_ray().
 vec3 litfog_light_airlight(LitfogLight light, vec3 eye, vec3 direction, float range) {
   vec3 color = litfog_airlight_unit() * light.color_intensity.rgb;
   LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
   air.nodes = litfog_airlight_nodes(air);
-  // A light that adds little along this ray needs few nodes. Relative errors are some 3 % with 4 nodes and 0.5 % with 6
-  // for a point light, and some 10 % with 4, 2 % with 8 and 0.3 % with 12 for others; in fog that is not isotropic some
-  // 10 % with 8 and 2 % with 12 for a point light, and 3 % with 12 and 0.3 % with 20 for others. A cookie's fall with the
-  // square of their number, and a bright picture shows them less.
+  // A light that adds little along this ray needs few nodes. In isotropic fog, relative errors are some 3 % with 4
+  // nodes and 0.5 % with 6 for a point light, and some 10 % with 4, 2 % with 8 and 0.3 % with 12 for others. In other
+  // fog they are some 10 % with 8 and 2 % with 12 for a point light, and 3 % with 12 and 0.3 % with 20 for others. A
+  // cookie's errors fall with the square of the number of nodes, and show less in a bright picture.
   LitfogAirlightStretch stretch = litfog_airlight_stretch(air);
   float most = max(max(color.r, color.g), color.b) * litfog_airlight_bound(air, stretch);
   if (air.profile == LITFOG_PROFILE_COOKIE) {

@@ -23,7 +23,7 @@ layout(set = LITFOG_SET, binding = LITFOG_BLOCK_BINDING, std140) uniform LitfogL
 #else
 layout(std140) uniform LitfogLightBlock {
 #endif
-  vec4 litfog_fog;  // x density, y mode as litfog_is_exp() takes it, z number of lights, w albedo
+  vec4 litfog_fog;  // x density, y mode for litfog_is_exp(), z number of lights, w albedo
   vec4 litfog_ambient_fog_color;  // w number of knots
   vec4 litfog_phase_lobes[2];  // LitfogPhaseLobe
   vec4 litfog_density_knots[LITFOG_MAX_DENSITY_KNOTS];  // x height, y density

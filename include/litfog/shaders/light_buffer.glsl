@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // litfog: any number of lights: the tables of litfog/fog_light_block.h in two textures or storage buffers.
 //
-// The textures are buffer textures of RGBA32F texels, a vec4 each: two a kind, three an instance. Before the first
+// The textures are buffer textures of RGBA32F texels, one per vec4: two per kind, three per instance. Before the first
 // include of litfog a program may define
 // - LITFOG_LIGHT_TEXTURE: 2-D textures of any width, filled row by row; GLSL ES before 3.20 has no buffer textures and
-//   always takes these, unless it takes storage buffers;
+//   uses these, unless it uses storage buffers;
 // - LITFOG_LIGHT_STORAGE: storage buffers, std430, at LITFOG_KIND_BINDING (default 1) and LITFOG_INSTANCE_BINDING
 //   (default 2); needs GLSL 4.30, ES 3.10 or Vulkan.
 // In Vulkan the textures also have these bindings, and all are in LITFOG_SET (default 0).
@@ -88,7 +88,7 @@ LitfogLight litfog_buffered_light(int light) {
   return litfog_light(instance, litfog_buffered_kind(int(instance.position_kind.w)));
 }
 
-// The light's position_extent alone, to test whether it reaches before the rest of it is fetched.
+// The light's position_extent alone, to test whether it reaches a point before the rest is fetched.
 vec4 litfog_buffered_position_extent(int light) {
   vec4 position_kind = litfog_buffered_instance(light).position_kind;
   return vec4(position_kind.xyz, litfog_buffered_kind(int(position_kind.w)).attenuation_extent.w);

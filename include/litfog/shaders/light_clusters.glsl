@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: the few lights that can light a fragment, and those that can light the fog before it, in place of all lights:
-// the table of litfog/light_clusters.h, whose lights are those of light_buffer.glsl or of a host's own.
+// litfog: the few lights that can light a fragment, and those that can light the fog in front of it: the table of
+// litfog/light_clusters.h. Its lights are those of light_buffer.glsl or a host's own.
 //
-// The table is a buffer texture of R32UI texels, a 2-D texture or a storage buffer, as light_buffer.glsl says of its
-// tables, at LITFOG_CLUSTER_BINDING (default 4).
+// The table is a buffer texture of R32UI texels, a 2-D texture or a storage buffer, like the tables of
+// light_buffer.glsl, at LITFOG_CLUSTER_BINDING (default 4).
 
 #ifndef LITFOG_LIGHT_CLUSTERS_GLSL
 #define LITFOG_LIGHT_CLUSTERS_GLSL
@@ -50,10 +50,10 @@ struct LitfogLightList {
   int count;
 };
 
-// Word of the cluster of a point.
+// Word at which a point's cluster begins in the table.
 //
-// place  in the picture, from 0 to 1, y up: gl_FragCoord.xy over the picture's size
-// depth  metres along the view's forward direction: 1.0 / gl_FragCoord.w by the usual projections
+// place  position in the picture, from 0 to 1, y up: gl_FragCoord.xy over the picture's size
+// depth  metres along the view's forward direction: 1.0 / gl_FragCoord.w with the usual projections
 int litfog_cluster_at(vec2 place, float depth) {
   ivec3 parts = ivec3(litfog_cluster_word(0), litfog_cluster_word(1), litfog_cluster_word(2));
   float slice = intBitsToFloat(litfog_cluster_word(3)) * log2(depth) + intBitsToFloat(litfog_cluster_word(4));
@@ -69,13 +69,13 @@ LitfogLightList litfog_lights_at(vec2 place, float depth) {
   return LitfogLightList(litfog_cluster_word(cluster), litfog_cluster_word(cluster + 1));
 }
 
-// The lights that can light anything between the eye and a point: those whose airlight it has.
+// The lights that can light anything between the eye and a point: those whose airlight it shows.
 LitfogLightList litfog_lights_along(vec2 place, float depth) {
   int cluster = litfog_cluster_at(place, depth);
   return LitfogLightList(litfog_cluster_word(cluster + 2), litfog_cluster_word(cluster + 3));
 }
 
-// Index of a list's light, from 0 to below its count.
+// Index of a list's light number i, from 0 to count - 1.
 int litfog_listed_light(LitfogLightList list, int i) { return litfog_cluster_word(list.first + i); }
 
 #endif

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // litfog: the Basic model of Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", section 5.2: emissive + ambient
-// + sum over lights of diffuse + specular, specular zero where diffuse is; attenuated by range (5.5.1) and cone
-// (5.5.2).
+// + sum over lights of diffuse + specular. Specular is 0 where diffuse is. Lights are attenuated by range (5.5.1) and
+// cone (5.5.2).
 
 #ifndef LITFOG_SURFACE_GLSL
 #define LITFOG_SURFACE_GLSL
@@ -13,7 +13,7 @@ struct LitfogSurface {
   vec3 normal;  // unit
   vec3 to_eye;  // unit
   vec3 emissive;
-  vec3 ambient;  // reflectance of ambient light: diffuse, as a rule
+  vec3 ambient;  // reflectance of ambient light, usually the diffuse one
   vec3 diffuse;
   vec3 specular;
   float shininess;
@@ -23,7 +23,7 @@ vec3 litfog_ambient(LitfogSurface surface, vec3 ambient_light) {
   return surface.emissive + surface.ambient * ambient_light;
 }
 
-// Diffuse and specular factor of a light from a unit direction (C5E5_computeLighting).
+// Diffuse and specular factors of a light in a unit direction (C5E5_computeLighting).
 vec2 litfog_reflection_factors(vec3 normal, vec3 to_eye, float shininess, vec3 to_light) {
   float diffuse = dot(normal, to_light);
   if (diffuse <= 0.0) return vec2(0.0);
@@ -32,7 +32,7 @@ vec2 litfog_reflection_factors(vec3 normal, vec3 to_eye, float shininess, vec3 t
   return vec2(diffuse, pow(clamp(facing, 0.0, 1.0), shininess));
 }
 
-// Reflection of light of a colour from a unit direction.
+// Reflection of light with a colour from a unit direction.
 vec3 litfog_reflect(LitfogSurface surface, vec3 to_light, vec3 color) {
   vec2 factors = litfog_reflection_factors(surface.normal, surface.to_eye, surface.shininess, to_light);
   return color * (surface.diffuse * factors.x + surface.specular * factors.y);
