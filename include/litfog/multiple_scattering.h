@@ -144,6 +144,12 @@ inline constexpr double kSoftDropletConeScatteringTypicalError = 0.8;
 inline constexpr double kLayeredScatteringMedianError = 0.05;
 inline constexpr double kLayeredScatteringTypicalError = 0.2;
 
+/// The same of point lamps with another law in layers, and of cones aimed anywhere.
+inline constexpr double kSoftLayeredScatteringMedianError = 0.1;
+inline constexpr double kSoftLayeredScatteringTypicalError = 0.45;
+inline constexpr double kLayeredConeScatteringMedianError = 0.1;
+inline constexpr double kLayeredConeScatteringTypicalError = 0.35;
+
 /// M of a light along a ray, in the unit of airlight(). The table is not checked.
 ///
 /// source     the light's; of a point lamp that without a beam is enough

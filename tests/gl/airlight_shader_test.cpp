@@ -208,5 +208,54 @@ TEST_F(AirlightShader, AirlightInLayersInFloatsHasItsStatedErrors) {
   }
 }
 
+// Points seen through fog whose density changes over one stretch of heights. What is counted is how often the lamp's
+// law is asked for, once for each node, and both legs' optical depth, for each node and in the search for steps.
+TEST_F(AirlightShader, RaysThroughOneRampAreEvaluatedAFewDozenTimes) {
+  const std::array<DensityKnot, 2> knots{{{0, 0.1}, {4, 0}}};
+  Random random(80);
+  for (const Phase& phase : {Phase{}, Phase::droplets(10)}) {
+    const Atmosphere atmosphere{.fog = {FogMode::exp, 0}, .phase = phase, .profile = make_density_profile(knots)};
+    const gl::Program program = FormulaPixels::program(
+        "#include \"test/input.glsl\"\n#include \"litfog/shaders/formulas.glsl\"\n"
+        "#include \"litfog/shaders/density_profile.glsl\"\n"
+        "float nodes = 0.0, depths = 0.0;\n"
+        "float counted_law(float r, float c, float l, float q) { ++nodes; return litfog_attenuation(r, c, l, q); }\n"
+        "float counted_mean(float a, float b) { depths += 0.5; return litfog_mean_density(a, b); }\n"
+        "#define litfog_attenuation counted_law\n#define litfog_mean_density counted_mean\n"
+        "#include \"litfog/shaders/light_airlight.glsl\"\n"
+        "void main() { vec4 eye = given(0), ray = given(1), lamp = given(2);\n"
+        "vec3 to_lamp = lamp.xyz - eye.xyz; float approach = dot(to_lamp, ray.xyz);\n"
+        "result.x = litfog_airlight(LitfogAirlight(litfog_fog.x, litfog_fog_mode(), 1.0, litfog_fog_phase(), 1.0,\n"
+        "0.0, ray.w, lamp.w, 0.0, 0.0, 0.0, eye.w, approach, length(approach * ray.xyz - to_lamp), 0.0, 0.0, 0.0,\n"
+        "1.0, eye.y + approach * ray.y, ray.y, lamp.y));\n"
+        "result.yz = vec2(nodes, depths); }\n");
+    gl::FogLightBuffer buffer;
+    buffer.upload(pack_fog_light_block(atmosphere, {}, {}));
+    buffer.bind(program, 3);
+    std::vector<std::vector<glm::vec4>> inputs(3);
+    for (int i = 0; i < kRays; ++i) {
+      const ShaderCase c = draw_layered_case(random, atmosphere, false);
+      for (std::size_t row = 0; row < 3; ++row) inputs[row].push_back(c.members[row]);
+    }
+    std::vector<float> nodes, depths;
+    for (const glm::vec4& result : FormulaPixels().draw(program, inputs)) {
+      if (!(result.x > 0)) continue;
+      nodes.push_back(result.y);
+      depths.push_back(result.z);
+    }
+    ASSERT_GT(nodes.size(), std::size_t(kRays / 4));
+    const auto part = [](std::vector<float>& counts, double fraction) {
+      std::ranges::sort(counts);
+      return counts[std::size_t(fraction * double(counts.size() - 1))];
+    };
+    fmt::print("{}: nodes {}, {} and {}, depths {}, {} and {}: median, of 9 in 10, most\n",
+               is_isotropic(phase) ? "isotropic" : "droplets", part(nodes, 0.5), part(nodes, 0.9), part(nodes, 1),
+               part(depths, 0.5), part(depths, 0.9), part(depths, 1));
+    EXPECT_LE(part(nodes, 0.5), 12);
+    EXPECT_LE(part(nodes, 0.9), 36);
+    EXPECT_LE(part(nodes, 1), 64);
+  }
+}
+
 }  // namespace
 }  // namespace litfog::test

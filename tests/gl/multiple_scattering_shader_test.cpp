@@ -15,6 +15,7 @@
 #include "gl/formula_pixels.h"
 #include "gl/gl_test.h"
 #include "litfog/fog_light_block.h"
+#include "litfog/gl/fog_light_buffer.h"
 #include "reference/random_light.h"
 
 namespace litfog::test {
@@ -39,8 +40,36 @@ gl::TextureName linear_texture(int unit, GLint format, GLsizei width, GLsizei he
   return texture;
 }
 
-// A point lamp and two cones, of laws with 1 / r^2 or of softer ones, are seen along rays in fog of density 1; what
-// they scatter on a surface that faces them is drawn, too.
+/// A point lamp and two cones, of laws with 1 / r^2 or of softer ones, as shaders know them.
+struct Lamps {
+  ScatteringTable table;
+  std::array<Light, 3> lights;
+  std::array<ScatteringSource, 3> sources;
+  gl::TextureName logs, cones;
+
+  Lamps(const Atmosphere& air, bool is_soft) : table(make_scattering_table(air)) {
+    const ThinBeams thin = make_thin_beams(air, table);
+    for (Light& light : lights) light.attenuation = {.constant = 0, .linear = 0, .quadratic = 1e8};
+    lights[1].cone = Cone::smoothstep(0.1, 0.4);
+    lights[2].cone = Cone::smoothstep(0.5, 1.5);
+    if (is_soft) lights[0].attenuation = lights[1].attenuation = {.constant = 1, .linear = 0, .quadratic = 2};
+    for (std::size_t i = 0; i < 3; ++i) sources[i] = scattering_source(lights[i], air, thin);
+    const std::array beams{sources[1].beam, sources[2].beam};
+    logs = linear_texture(1, GL_R32F, kScatteringAngles, kScatteringDepths, GL_RED, table.logs.data());
+    cones = linear_texture(2, GL_RGBA32F, kBeamAngles, 2 * kBeamDepths, GL_RGBA, beams.data());
+  }
+
+  void set(const gl::Program& program) const {
+    program.use();
+    glUniform1i(program.uniform("litfog_scattering_table"), 1);
+    glUniform1i(program.uniform("litfog_scattered_beams"), 2);
+    for (std::size_t i = 0; i < 3; ++i) {
+      glUniform1f(program.uniform(("soft_ranges[" + std::to_string(i) + "]").c_str()), float(sources[i].soft_range));
+    }
+  }
+};
+
+// Lamps are seen along rays in fog of density 1; what they scatter on a surface that faces them is drawn, too.
 TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
   for (const auto& [phase, is_soft] : {std::pair{Phase{}, false},
                                        {Phase::droplets(10), false},
@@ -48,20 +77,8 @@ TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
                                        {Phase::droplets(10), true},
                                        {Phase::henyey_greenstein(0.9), true}}) {
     const Atmosphere air{.fog = {FogMode::exp, 1}, .phase = phase};
-    const ScatteringTable table = make_scattering_table(air);
-    const ThinBeams thin = make_thin_beams(air, table);
-    Light point;
-    point.attenuation = {.constant = 0, .linear = 0, .quadratic = 1e8};
-    std::array<ScatteringSource, 3> sources;
-    std::array<ScatteredBeam, 2> beams;
-    std::array<Light, 3> lights{point, point, point};
-    lights[1].cone = Cone::smoothstep(0.1, 0.4);
-    lights[2].cone = Cone::smoothstep(0.5, 1.5);
-    if (is_soft) lights[0].attenuation = lights[1].attenuation = {.constant = 1, .linear = 0, .quadratic = 2};
-    for (std::size_t i = 0; i < 3; ++i) sources[i] = scattering_source(lights[i], air, thin);
-    for (std::size_t i = 0; i < 2; ++i) beams[i] = sources[i + 1].beam;
-    const auto logs = linear_texture(1, GL_R32F, kScatteringAngles, kScatteringDepths, GL_RED, table.logs.data());
-    const auto cones = linear_texture(2, GL_RGBA32F, kBeamAngles, 2 * kBeamDepths, GL_RGBA, beams.data());
+    const Lamps known(air, is_soft);
+    const auto& [table, lights, sources, logs, cones] = known;
     Random random(4205);
     std::array<std::vector<vec4>, 2> inputs;
     std::vector<EyeRay> rays;
@@ -99,15 +116,9 @@ TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
         "LitfogScatteredLight light =\n"
         "    litfog_scattered_light(1.0, length(a.yz), soft_range, max(b.y, 0.0), b.w, b.z);\n"
         "result.y = litfog_diffuse_irradiance(light.all, length(vec2(light.radial, light.turned)), light.radial); }\n");
-    program.use();
-    glUniform1i(program.uniform("litfog_scattering_table"), 1);
-    glUniform1i(program.uniform("litfog_scattered_beams"), 2);
+    known.set(program);
     const auto lobes = pack_fog_header(air, 0).phase_lobes;
     glUniform4fv(program.uniform("lobes"), 2, &lobes[0].x);
-    for (int i = 0; i < 3; ++i) {
-      glUniform1f(program.uniform(("soft_ranges[" + std::to_string(i) + "]").c_str()),
-                  float(sources[std::size_t(i)].soft_range));
-    }
     const auto results = FormulaPixels().draw(program, {inputs[0], inputs[1]});
     double largest = 0, largest_on_surfaces = 0;
     for (std::size_t i = 0; i < results.size(); ++i) {
@@ -127,6 +138,59 @@ TEST_F(MultipleScatteringShader, IsThatOfTheLibrary) {
     std::printf("largest error %.2g of the endless ray's, %.2g on surfaces\n", largest, largest_on_surfaces);
     EXPECT_LE(largest, 0.005);
     EXPECT_LE(largest_on_surfaces, 0.005);
+  }
+}
+
+// Lamps and eyes in a layer with ramps, above and below it.
+TEST_F(MultipleScatteringShader, InLayersIsThatOfTheLibrary) {
+  for (const auto& [phase, is_soft] : {std::pair{Phase{}, false}, {Phase::droplets(10), false}, {Phase{}, true}}) {
+    Atmosphere air{.fog = {FogMode::exp, double(0.01f)}, .phase = phase};
+    air.profile = make_density_profile(std::array<DensityKnot, 4>{{{-1, 0}, {0, 1}, {2, 1}, {4, 0}}});
+    const Lamps known(air, is_soft);
+    const gl::Program program = FormulaPixels::program(
+        "#include \"test/input.glsl\"\n"
+        "#include \"litfog/shaders/layered_scattering.glsl\"\n"
+        "uniform float soft_ranges[3];\n"
+        "void main() { vec4 eye = given(0), ray = given(1), lamp = given(2), axis = given(3);\n"
+        "vec3 to_lamp = lamp.xyz - eye.xyz; float approach = dot(to_lamp, ray.xyz);\n"
+        "vec3 offset = approach * ray.xyz - to_lamp;\n"
+        "result = vec4(litfog_layered_scattering(LitfogAirlight(litfog_fog.x, litfog_fog_mode(), 1.0,\n"
+        "litfog_fog_phase(), 0.0, 0.0, 1.0, 1e30, 0.0, 0.0, 0.0, eye.w, approach, length(offset),\n"
+        "dot(offset, axis.xyz), dot(ray.xyz, axis.xyz), 0.0, 1.0, eye.y + approach * ray.y, ray.y, lamp.y),\n"
+        "soft_ranges[int(ray.w) + 1], ray.w, axis.w)); }\n");
+    known.set(program);
+    gl::FogLightBuffer buffer;
+    buffer.upload(pack_fog_light_block(air, {}, {}));
+    buffer.bind(program, 3);
+    Random random(4206);
+    std::array<std::vector<vec4>, 4> inputs;
+    std::vector<double> expected, endless;
+    for (int i = 0; i < 1500; ++i) {
+      const auto kind = std::size_t(i % 3);
+      const ScatteringSource& source = known.sources[kind];
+      const glm::vec3 eye(0, random.uniform(-2, 6), 0), to(draw_direction(random)), axis(draw_direction(random));
+      const glm::vec3 lamp(0, random.uniform(-2, 6), -random.log_uniform(0.1, 8));
+      const float length = random.chance(0.5) ? 1e30f : float(random.log_uniform(0.1, 10));
+      inputs[0].emplace_back(eye, length);
+      inputs[1].emplace_back(to, float(kind) - 1);
+      inputs[2].emplace_back(lamp, 0);
+      inputs[3].emplace_back(axis, source.phase_cosine);
+      const PlacedLight light{.light = known.lights[kind],
+                              .position = glm::dvec3(lamp),
+                              .direction = glm::normalize(glm::dvec3(axis))};
+      EyeRay ray{.origin = glm::dvec3(eye), .direction = glm::normalize(glm::dvec3(to)), .length = double(length)};
+      expected.push_back(multiple_scattering(light, source, air, known.table, ray) / source.intensity);
+      ray.length = 1e30;
+      endless.push_back(multiple_scattering(light, source, air, known.table, ray) / source.intensity);
+    }
+    const auto results = FormulaPixels().draw(program, {inputs[0], inputs[1], inputs[2], inputs[3]});
+    double largest = 0;
+    for (std::size_t i = 0; i < results.size(); ++i) {
+      ASSERT_TRUE(std::isfinite(results[i].x)) << i;
+      if (endless[i] > 0) largest = std::max(largest, std::abs(double(results[i].x) - expected[i]) / endless[i]);
+    }
+    std::printf("largest error in layers %.2g of the endless ray's\n", largest);
+    EXPECT_LE(largest, 0.005);
   }
 }
 

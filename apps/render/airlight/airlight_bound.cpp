@@ -67,10 +67,7 @@ AirlightBound::AirlightBound(const PlacedLight& light, double extent, const Atmo
   const double flattened = sees_layers_from_outside ? std::clamp(eye_range_ / rise, 1.0, kMostFlattened) : 1;
   near_ = eye_range_ * std::min(std::sin(FarAirlightList::kPeakAngle) * flattened, 1.0);
   const double scale = light.light.density_scale;
-  const auto density_of = [&](const Fog& fog) {
-    constexpr double kDensest = 1e6;  // as in light_airlight.glsl
-    return std::min(scaled(fog, scale).density, kDensest);
-  };
+  const auto density_of = [&](const Fog& fog) { return std::min(scaled(fog, scale).density, LITFOG_DENSEST_FOG); };
   largest_density_ = density_of(atmosphere.thickest_fog());
   smallest_density_ = density_of(atmosphere.thinnest_fog());
   const auto add_band = [&](double lowest, double highest) {
@@ -249,8 +246,7 @@ double AirlightBound::k(double distance) const {
   const double bends =
       scattering_->is_isotropic() ? 1 : 15 * scattering_->integral_from(angle_at(distance)) / std::numbers::pi;
   const double slope = std::max(attenuation_.quadratic, attenuation_.linear / std::max(width(), 1e-3));
-  const double single = bends * brightness_ * largest_weight(0, 0) * 4 / std::max(slope, 1e-30);
-  return glow_.table ? single + distance * glow_beside(distance) : single;
+  return bends * brightness_ * largest_weight(0, 0) * 4 / std::max(slope, 1e-30);
 }
 
 AirlightBound::Distances AirlightBound::optical(const Band& band, double seen, double lit) const {

@@ -104,6 +104,8 @@ class AirlightBound {
   /// k, where the airlight at a distance h from the light is about k / h, near a distance; of one that falls off by a
   /// higher power, the k of which k / h bends as much. Metres.
   double k(double distance) const;
+  /// The same of the peak of higher orders.
+  double higher_orders_k(double distance) const { return distance * glow_beside(distance); }
 
  private:
   double angle_at(double distance) const;  // smallest of scattering, for rays that pass the light at a distance

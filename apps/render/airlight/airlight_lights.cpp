@@ -8,6 +8,8 @@ namespace litfog::render {
 void AirlightLights::set(const AirlightList& list, const AirlightTiles& tiles) {
   ranges_ = list.ranges;
   size_ = int(list.entries.size());
+  single_count_ = 0;
+  for (const AirlightList::Range& range : ranges_) single_count_ += range.kind.has_higher_orders ? 0 : int(range.count);
   if (size_ == 0) return;
   entries_.emplace(list.entries.data(), std::span(list.entries).size_bytes(), BufferTexture::Texel::float4);
   tile_lists_.emplace(tiles.lists.data(), std::span(tiles.lists).size_bytes(), BufferTexture::Texel::int1);

@@ -24,6 +24,8 @@ class AirlightLights {
   /// The entries of each kind.
   std::span<const AirlightList::Range> ranges() const { return ranges_; }
   int size() const { return size_; }
+  /// Those that are no peaks of higher orders; they come first.
+  int single_count() const { return single_count_; }
   /// Entries of a range that a tile has at most.
   int longest_list(std::size_t range) const { return longest_lists_[range]; }
   /// Lets a pass read the entries (shaders/airlight/airlight_entry.glsl).
@@ -35,6 +37,7 @@ class AirlightLights {
   std::vector<AirlightList::Range> ranges_;
   std::vector<int> longest_lists_;  // one a range
   int size_ = 0;
+  int single_count_ = 0;
   std::optional<BufferTexture> entries_;
   std::optional<BufferTexture> tile_lists_;  // AirlightTiles::lists
   glm::ivec2 tile_count_{0};

@@ -28,18 +28,19 @@ struct AirlightEntry {
   float width;  ///< metres from the light, within which its airlight is flat; 0 for a beam not seen along its axis
 };
 
-/// Lights of one kind are drawn by one program.
+/// Lights of one kind are drawn by one program. What a light scatters once and the peak of its higher orders are
+/// entries of two kinds, for the peak bends far less.
 struct AirlightKind {
-  int profile;                     ///< FogLightInstance
+  bool has_higher_orders = false;  ///< shaders/airlight/higher_orders.glsl; an entry is their peak and nothing else
+  int profile;                     ///< FogLightInstance; of a peak that of a point or of any cone
   bool has_shafts = false;         ///< shadows cut shafts into the airlight
   bool has_knee = false;           ///< attenuation's constant below 1: full brightness up to a range
   bool has_far_peak = false;       ///< litfog/shaders/far_airlight.glsl
-  bool has_higher_orders = false;  ///< shaders/airlight/higher_orders.glsl; of entries: has their peak
 
   auto operator<=>(const AirlightKind&) const = default;
 };
 
-/// The lights whose airlight a picture shows, grouped by kind.
+/// The lights whose airlight a picture shows, grouped by kind, peaks of higher orders last.
 struct AirlightList {
   struct Range {
     AirlightKind kind;
@@ -47,9 +48,9 @@ struct AirlightList {
   };
 
   std::vector<AirlightEntry> entries;
-  std::vector<LightBounds>
-      bounds;  ///< one an entry: its reach, cut to its cone if it has one and no peak of higher orders
+  std::vector<LightBounds> bounds;  ///< one an entry: its reach, cut to its cone if it has one and is no peak
   std::vector<Range> ranges;
+  std::size_t light_count = 0;  ///< of an entry or of two
 };
 
 /// Leaves out airlight that fog hides: at most kAirlightShare of a step of the display in any pixel for all lights

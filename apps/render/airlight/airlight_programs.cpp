@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "render/airlight/airlight_bound.h"
 #include "render/gpu/render_shaders.h"
 
 namespace litfog::render {
@@ -22,9 +23,10 @@ const gl::Program& AirlightPrograms::program(const Atmosphere& atmosphere, const
       "#define LITFOG_ISOTROPIC {}\n"
       "const float profile = {}.0;  // of the lights to draw\n"
       "const bool has_far_peak = {};\n"
+      "const float most_flattened = {:.1f};\n"
       "{}",
       int(atmosphere.fog.mode), atmosphere.profile.count, lights.has_knee ? "" : "#define LITFOG_NO_KNEE\n",
-      is_isotropic ? 1 : 0, lights.profile, lights.has_far_peak,
+      is_isotropic ? 1 : 0, lights.profile, lights.has_far_peak, AirlightBound::kMostFlattened,
       lights.has_higher_orders ? "#define HAS_HIGHER_ORDERS\n" : "");
   std::vector<gl::ShaderSource> files = scene_shaders(lights.profile == kCookieProfile, lights.has_shafts);
   files.push_back({"generated/airlight_constants.glsl", constants});

@@ -73,7 +73,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphe
   glBlendFunc(GL_ONE, GL_ONE);
   for (const FarAirlightList::Range& range : ranges_) {
     const gl::Program& program = light_programs_.program(
-        atmosphere, {.profile = range.profile, .has_higher_orders = !higher_orders_->is_empty()});
+        atmosphere, {.has_higher_orders = !higher_orders_->is_empty(), .profile = range.profile});
     program.use();
     bind_lights(program, fog_lights_);
     PassTextures textures(program);

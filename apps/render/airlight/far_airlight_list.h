@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "litfog/atmosphere.h"
+#include "litfog/formulas.h"
 #include "render/airlight/higher_orders.h"
 #include "render/light/scene_lights.h"
 
@@ -20,7 +21,7 @@ struct FarAirlightList {
   static constexpr int kSections = 4;
   /// Radians: smaller angles of scattering count as this one. The rest, a peak of the phase function too narrow for the
   /// sum's texels, is drawn light by light (litfog/shaders/far_airlight.glsl).
-  static constexpr double kPeakAngle = 0.15;
+  static constexpr double kPeakAngle = LITFOG_FAR_PEAK_ANGLE;
 
   struct Range {
     int profile;

@@ -10,7 +10,7 @@
 namespace litfog::render {
 
 void bind_pane_airlight(const gl::Program& program, const PaneAirlight* airlight) {
-  set_uniform(program, "airlight_count", airlight ? airlight->lights.size() : 0);
+  set_uniform(program, "airlight_count", airlight ? airlight->lights.single_count() : 0);
   PassTextures textures(program);
   if (airlight) {
     airlight->lights.bind_entries(textures);

@@ -190,8 +190,8 @@ void FramePlanner::plan_airlight(const FrameView& view) {
     plan_.far_airlights =
         list_far_airlight(lights_, atmosphere_, view.camera.position, exposure, plan_.higher_orders, shaft_casters_);
   }
-  plan_.counts.airlights_drawn = plan_.airlights.entries.size();
-  plan_.counts.airlights_invisible = lights_.size() - plan_.airlights.entries.size();
+  plan_.counts.airlights_drawn = plan_.airlights.light_count;
+  plan_.counts.airlights_invisible = lights_.size() - plan_.airlights.light_count;
 }
 
 void FramePlanner::plan_everything() {

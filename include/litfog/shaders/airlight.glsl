@@ -843,12 +843,22 @@ LITFOG_REAL litfog_airlight_shown(LitfogAirlight air, LITFOG_REAL along) {
   return shown * litfog_phase(air.phase, litfog_airlight_versine(air, along, range));
 }
 
+// Of litfog_airlight_piece(), optical depths of both legs and fractions. With them the stated errors in layers hold
+// (airlight_climb).
+LITFOG_CONSTANT LITFOG_REAL litfog_step_depth = LITFOG_REAL(6.0);         // aimed at
+LITFOG_CONSTANT LITFOG_REAL litfog_least_step_depth = LITFOG_REAL(2.5);   // of a step that is not the last
+LITFOG_CONSTANT LITFOG_REAL litfog_largest_step_depth = LITFOG_REAL(9.0);
+LITFOG_CONSTANT LITFOG_REAL litfog_seen_depth = LITFOG_REAL(8.0);         // e^-8 is a twelfth of an 8-bit step
+LITFOG_CONSTANT LITFOG_REAL litfog_even_depth = LITFOG_REAL(1.5);         // steps up to it may be of any fog
+LITFOG_CONSTANT LITFOG_REAL litfog_first_of_step = LITFOG_REAL(0.125);    // where others have less than
+LITFOG_CONSTANT LITFOG_REAL litfog_depth_of_first = LITFOG_REAL(0.25);    // this of their depth
+
 // The integral over a smooth piece of a ray in layers, of which the fog hides one end, `dim`, more than the other by an
-// optical depth of both legs: in steps of some 6 depths, until 8 depths are passed and as many more as the dim end is
-// lit more brightly.
+// optical depth of both legs: in steps, until litfog_seen_depth is passed and as many depths more as the dim end is lit
+// more brightly.
 LITFOG_REAL litfog_airlight_piece(LitfogAirlight air, LitfogAirlightShape shape, LITFOG_REAL bright, LITFOG_REAL dim,
                                   LITFOG_REAL depth, LITFOG_REAL hidden) {
-  LITFOG_REAL left = LITFOG_REAL(8.0);
+  LITFOG_REAL left = litfog_seen_depth;
   if (hidden > left) {
     left += log(max(litfog_airlight_shown(air, dim) / litfog_airlight_shown(air, bright), LITFOG_REAL(1.0)));
   }
@@ -860,20 +870,21 @@ LITFOG_REAL litfog_airlight_piece(LitfogAirlight air, LitfogAirlightShape shape,
     LITFOG_REAL whole = dim - bright;
     LITFOG_REAL size = whole;
     LITFOG_REAL passed = hidden;
-    LITFOG_REAL aim = LITFOG_REAL(6.0) / hidden;
+    LITFOG_REAL aim = litfog_step_depth / hidden;
     LITFOG_REAL part = aim;
-    for (int i = 0; i < 6 && (passed > LITFOG_REAL(9.0) || (i > 0 && passed < LITFOG_REAL(2.5))); ++i) {
+    for (int i = 0;
+         i < 6 && (passed > litfog_largest_step_depth || (i > 0 && passed < litfog_least_step_depth)); ++i) {
       if (i > 0) part = pow(part, log(aim) / log(clamp(passed / hidden, LITFOG_REAL(1.0e-6), LITFOG_REAL(0.9))));
       size = part * whole;
       passed = litfog_airlight_depth(air, bright + size) - depth;
     }
     // Just inside a layer, the lamp's leg may grow far faster than the rest of the step.
     bool is_even = air.lamp_leg == LITFOG_REAL(0.0);
-    for (int i = 0; i < 3 && !is_even && passed > LITFOG_REAL(1.5); ++i) {
-      LITFOG_REAL early = litfog_airlight_depth(air, bright + LITFOG_REAL(0.125) * size) - depth;
-      is_even = early < LITFOG_REAL(0.25) * passed;
+    for (int i = 0; i < 3 && !is_even && passed > litfog_even_depth; ++i) {
+      LITFOG_REAL early = litfog_airlight_depth(air, bright + litfog_first_of_step * size) - depth;
+      is_even = early < litfog_depth_of_first * passed;
       if (!is_even) {
-        size *= LITFOG_REAL(0.125);
+        size *= litfog_first_of_step;
         passed = early;
       }
     }

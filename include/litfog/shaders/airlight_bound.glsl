@@ -12,6 +12,8 @@
 #define LITFOG_FUNCTION
 #endif
 
+#define LITFOG_FAR_PEAK_ANGLE 0.15  // radians: litfog_far_peak_angle of far_airlight.glsl
+
 // An upper bound of the fog's weight -f'(s) f(r)^k, 1/m, in fog of at most `density`. With x = d s and y = k d r,
 // x + y (exp fog) or x^2 / 2 + y^2 (exp2 fog) must be at least its value at x = `seen` and y = `lit`. In exp fog the d
 // of each leg may be that of the thinnest fog on it.

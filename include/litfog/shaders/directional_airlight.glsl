@@ -78,8 +78,8 @@ LITFOG_FUNCTION LITFOG_REAL litfog_directional_scattering(LITFOG_REAL density, L
 #undef LITFOG_REAL
 
 #ifndef __cplusplus
-// Density of the fog without layers, 1/m. Finite: 1e6 is a visibility of micrometres.
-float litfog_directional_density() { return min(litfog_fog.x, 1.0e6); }
+// Density of the fog without layers, 1/m.
+float litfog_directional_density() { return min(litfog_fog.x, LITFOG_DENSEST_FOG); }
 
 // Fraction of the light that reaches a height.
 float litfog_directional_factor(float height, vec3 to_light, float top) {

@@ -25,7 +25,7 @@ layout(set = LITFOG_SET, binding = LITFOG_FAR_AIRLIGHT_BINDING)
 uniform highp sampler2DArray litfog_far_airlight_grid;
 
 const int litfog_far_slabs = 8;  // one layer per draw buffer; every OpenGL 3.3 has 8
-const float litfog_far_peak_angle = 0.15;  // radians
+const float litfog_far_peak_angle = LITFOG_FAR_PEAK_ANGLE;
 const float litfog_far_peak_versine = 2.0 * sin(0.5 * litfog_far_peak_angle) * sin(0.5 * litfog_far_peak_angle);
 const float litfog_far_peak_cotangent = 1.0 / tan(litfog_far_peak_angle);
 

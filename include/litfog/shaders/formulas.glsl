@@ -12,6 +12,8 @@
 #define LITFOG_FUNCTION
 #endif
 
+#define LITFOG_DENSEST_FOG 1.0e6  // 1/m: shaders take denser fog as this. It is a visibility of micrometres.
+
 // C + L r + Q r^2
 LITFOG_FUNCTION LITFOG_REAL litfog_denominator(LITFOG_REAL range, LITFOG_REAL constant, LITFOG_REAL linear,
                                                LITFOG_REAL quadratic) {

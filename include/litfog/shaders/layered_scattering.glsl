@@ -15,9 +15,6 @@
 #define LITFOG_CONSTANT const
 #endif
 
-// 1/m: as light_airlight.glsl has it.
-LITFOG_CONSTANT LITFOG_REAL litfog_densest_layer = LITFOG_REAL(1.0e6);
-
 // Optical depths of thicker layers count as this, whose square is finite in floats.
 LITFOG_CONSTANT LITFOG_REAL litfog_thickest_layer = LITFOG_REAL(1.0e15);
 
@@ -34,6 +31,10 @@ LITFOG_CONSTANT LITFOG_REAL litfog_slab_far = LITFOG_REAL(4.0);  // where near a
 // Metres beyond which fog adds nothing that is seen; their square over that of the shortest stretch is finite in
 // floats.
 LITFOG_CONSTANT LITFOG_REAL litfog_longest_layered_ray = LITFOG_REAL(1.0e8);
+
+// The shortest stretch of a ray at the lamp, over the distance to it and a mean free path. Light from shorter ones is
+// known exactly, but for how much of it the layers keep.
+LITFOG_CONSTANT LITFOG_REAL litfog_shortest_stretch = LITFOG_REAL(0.01);
 
 // Optical depth between two heights of the layers, lowest <= highest, straight up.
 LITFOG_REAL litfog_layer_column(LitfogAirlight air, LITFOG_REAL lowest, LITFOG_REAL highest) {
@@ -106,7 +107,7 @@ struct LitfogEndlessFog {
 LitfogEndlessFog litfog_endless_fog(LitfogAirlight air, LitfogSlab slab, LITFOG_REAL height) {
   LITFOG_REAL density = air.density + air.layer_scale * litfog_mean_density(air.lamp_height, height);
   LitfogEndlessFog fog;
-  fog.density = min(density, litfog_densest_layer);
+  fog.density = min(density, LITFOG_REAL(LITFOG_DENSEST_FOG));
   fog.place = litfog_height_in_slab(air, slab.at_bottom, height);
   return fog;
 }
@@ -133,55 +134,62 @@ LITFOG_REAL litfog_kept_in_slab(LitfogSlab slab, LitfogEndlessFog fog, LITFOG_RE
              litfog_slab_power_lamp * far * log(litfog_scattered_again(over_lamp, slab.lamp)));
 }
 
-// A stretch of the ray in layers.
+// A stretch of a ray in layers.
 struct LitfogLayeredStretch {
   LITFOG_REAL from;  // metres from the eye
   LITFOG_REAL to;
-  LITFOG_REAL place;  // the middle of its fog
-  LITFOG_REAL part;   // fraction of the endless fog's light that reaches the eye, if the slab keeps all
-  LitfogEndlessFog fog;
+  LITFOG_REAL place;    // the middle of its fog
+  LITFOG_REAL density;  // of the endless fog that it counts as
+  LITFOG_REAL depth;    // optical, of the stretch itself
+  LITFOG_REAL part;     // fraction of the endless fog's light that the slab keeps and the eye sees
 };
 
-LitfogLayeredStretch litfog_layered_stretch(LitfogAirlight air, LitfogSlab slab, LITFOG_REAL from, LITFOG_REAL to) {
+// hidden  optical depth from the eye to where it begins
+LitfogLayeredStretch litfog_layered_stretch(LitfogAirlight air, LitfogSlab slab, LITFOG_REAL from, LITFOG_REAL to,
+                                            LITFOG_REAL hidden, LITFOG_REAL phase_cosine) {
   LITFOG_REAL middle = LITFOG_REAL(0.5) * (from + to);
   LITFOG_REAL first = litfog_depth_of_stretch(air, from, middle);
   LITFOG_REAL second = litfog_depth_of_stretch(air, middle, to);
   LitfogLayeredStretch stretch;
   stretch.from = from;
   stretch.to = to;
+  stretch.depth = first + second;
   stretch.place =
-      middle + LITFOG_REAL(0.25) * (to - from) * (second - first) / max(first + second, LITFOG_REAL(1.0e-30));
-  stretch.fog = litfog_endless_fog(air, slab, litfog_airlight_height(air, stretch.place - air.approach));
+      middle + LITFOG_REAL(0.25) * (to - from) * (second - first) / max(stretch.depth, LITFOG_REAL(1.0e-30));
+  LITFOG_REAL along = stretch.place - air.approach;
+  LITFOG_REAL height = litfog_airlight_height(air, along);
+  LitfogEndlessFog fog = litfog_endless_fog(air, slab, height);
+  stretch.density = fog.density;
   stretch.part = LITFOG_REAL(0.0);
-  LITFOG_REAL depth = stretch.fog.density * (to - from);
-  if (min(depth, first + second) > LITFOG_REAL(1.0e-30)) {
-    stretch.part = exp(-litfog_depth_of_stretch(air, LITFOG_REAL(0.0), from)) * litfog_expm1(-first - second) /
-                   litfog_expm1(-depth);
+  LITFOG_REAL endless = fog.density * (to - from);
+  if (min(endless, stretch.depth) > LITFOG_REAL(1.0e-30)) {
+    LITFOG_REAL range = litfog_airlight_range(air, along);
+    LITFOG_REAL rise = height - air.lamp_height;
+    LITFOG_REAL beside = sqrt(max(range * range - rise * rise, LITFOG_REAL(0.0)));
+    stretch.part = litfog_kept_in_slab(slab, fog, beside, phase_cosine) * exp(-hidden) *
+                   litfog_expm1(-stretch.depth) / litfog_expm1(-endless);
   }
   return stretch;
 }
 
-// The lamp as the ray would see it in the endless fog of a stretch.
-LitfogAirlight litfog_in_endless_fog(LitfogAirlight air, LitfogLayeredStretch stretch) {
-  air.density = stretch.fog.density;
-  air.layer_scale = LITFOG_REAL(0.0);
-  return air;
-}
-
-// M of a point lamp from a stretch, over the lamp's effective intensity.
-LITFOG_REAL litfog_scattered_in_stretch(LitfogAirlight air, LitfogSlab slab, LitfogLayeredStretch stretch,
-                                        LITFOG_REAL soft_range, LITFOG_REAL phase_cosine) {
+// M from a stretch, over the lamp's effective intensity.
+//
+// soft_range  of the lamp, metres
+// beam        index of the cone's ScatteredBeam; below 0 for a point lamp
+LITFOG_REAL litfog_scattered_in_stretch(LitfogAirlight air, LitfogLayeredStretch stretch, LITFOG_REAL soft_range,
+                                        LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
   if (!(stretch.part > LITFOG_REAL(0.0))) return LITFOG_REAL(0.0);
-  LITFOG_REAL along = stretch.place - air.approach;
-  LITFOG_REAL range = litfog_airlight_range(air, along);
-  LITFOG_REAL rise = litfog_airlight_height(air, along) - air.lamp_height;
-  LITFOG_REAL kept =
-      litfog_kept_in_slab(slab, stretch.fog, sqrt(max(range * range - rise * rise, LITFOG_REAL(0.0))), phase_cosine);
-  LitfogAirlight endless = litfog_in_endless_fog(air, stretch);
-  LITFOG_REAL all = litfog_scattered_from(endless, stretch.from - air.approach, LITFOG_REAL(0.0), soft_range);
-  LITFOG_REAL beyond = exp(-endless.density * (stretch.to - stretch.from)) *
-                       litfog_scattered_from(endless, stretch.to - air.approach, LITFOG_REAL(0.0), soft_range);
-  return stretch.part * kept * max(all - beyond, LITFOG_REAL(0.0));
+  air.density = stretch.density;  // the ray in the endless fog
+  air.layer_scale = LITFOG_REAL(0.0);
+  LITFOG_REAL all = litfog_scattered_from(air, stretch.from - air.approach, LITFOG_REAL(0.0), soft_range);
+  LITFOG_REAL beyond = exp(-air.density * (stretch.to - stretch.from)) *
+                       litfog_scattered_from(air, stretch.to - air.approach, LITFOG_REAL(0.0), soft_range);
+  if (!(all > beyond)) return LITFOG_REAL(0.0);
+  LITFOG_REAL scattered = stretch.part * (all - beyond);
+  if (beam >= LITFOG_REAL(0.0)) {
+    scattered *= litfog_beam_share(air, stretch.place - air.approach, beam, phase_cosine);
+  }
+  return scattered;
 }
 
 // The light of litfog_scattered_light(), in layers, at a height.
@@ -204,28 +212,27 @@ LitfogScatteredLight litfog_scattered_light_in_layers(LitfogAirlight air, LITFOG
   return light;
 }
 
-// M of a stretch of a ray between knots of layers, two distances from the eye, as litfog_layered_scattering() has it.
-LITFOG_REAL litfog_scattered_between_knots(LitfogAirlight air, LitfogSlab slab, LITFOG_REAL first, LITFOG_REAL last,
-                                           LITFOG_REAL soft_range, LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
-  const int pieces = 24;
+// M of the ray between two distances from the eye, on which it is divided into stretches: the shorter the nearer they
+// are to the lamp. Where `beside` passes the lamp farther off than the ray, its light is subtracted.
+LITFOG_REAL litfog_scattered_between(LitfogAirlight air, LitfogAirlight beside, LitfogSlab slab, LITFOG_REAL first,
+                                     LITFOG_REAL last, int stretches, LITFOG_REAL soft_range, LITFOG_REAL beam,
+                                     LITFOG_REAL phase_cosine) {
   LITFOG_REAL near = max(air.approach, -air.approach) +
-                     LITFOG_REAL(1.0) / min(litfog_largest_layer_density(air), litfog_densest_layer);
-  LITFOG_REAL width = max(air.offset, LITFOG_REAL(1.0e-4) * near);
+                     LITFOG_REAL(1.0) / min(litfog_largest_layer_density(air), LITFOG_REAL(LITFOG_DENSEST_FOG));
+  LITFOG_REAL width = max(air.offset, litfog_shortest_stretch * near);
   LITFOG_REAL start = asinh((first - air.approach) / width);
-  LITFOG_REAL step = (asinh((last - air.approach) / width) - start) / LITFOG_REAL(pieces);
+  LITFOG_REAL step = (asinh((last - air.approach) / width) - start) / LITFOG_REAL(stretches);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
   LITFOG_REAL from = first;
-  for (int i = 1; i <= pieces; ++i) {
+  LITFOG_REAL hidden = litfog_depth_of_stretch(air, LITFOG_REAL(0.0), first);
+  for (int i = 1; i <= stretches; ++i) {
     LITFOG_REAL t = start + step * LITFOG_REAL(i);
     LITFOG_REAL to = last;
-    if (i < pieces) to = clamp(air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)), from, last);
-    LitfogLayeredStretch stretch = litfog_layered_stretch(air, slab, from, to);
-    LITFOG_REAL scattered = litfog_scattered_in_stretch(air, slab, stretch, soft_range, phase_cosine);
-    if (beam >= LITFOG_REAL(0.0) && scattered > LITFOG_REAL(0.0)) {
-      LitfogAirlight endless = litfog_in_endless_fog(air, stretch);
-      scattered *= litfog_beam_share(endless, stretch.place - air.approach, beam, phase_cosine);
-    }
-    sum += scattered;
+    if (i < stretches) to = clamp(air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)), from, last);
+    LitfogLayeredStretch stretch = litfog_layered_stretch(air, slab, from, to, hidden, phase_cosine);
+    sum += litfog_scattered_in_stretch(air, stretch, soft_range, beam, phase_cosine);
+    if (beside.offset > air.offset) sum -= litfog_scattered_in_stretch(beside, stretch, soft_range, beam, phase_cosine);
+    hidden += stretch.depth;
     from = to;
   }
   return sum;
@@ -256,7 +263,7 @@ LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LITFOG_REAL soft_range
     LITFOG_REAL thinnest =
         min(litfog_airlight_density(air, from - air.approach), litfog_airlight_density(air, to - air.approach));
     LITFOG_REAL seen = min(to, from + LITFOG_REAL(12.0) / max(thinnest, LITFOG_REAL(1.0e-30)));
-    sum += litfog_scattered_between_knots(air, slab, from, seen, soft_range, beam, phase_cosine);
+    sum += litfog_scattered_between(air, air, slab, from, seen, 24, soft_range, beam, phase_cosine);
     from = to;
   }
   return sum;

@@ -23,8 +23,10 @@ float litfog_airlight_cookie(LitfogAirlight air, float along) {
 }
 #endif
 
-// Density of the fog for the light's class, 1/m. Finite: 1e6 is a visibility of micrometres.
-float litfog_light_fog_density(LitfogLight light) { return min(litfog_fog.x * light.attenuation.w, 1.0e6); }
+// Density of the fog for the light's class, 1/m.
+float litfog_light_fog_density(LitfogLight light) {
+  return min(litfog_fog.x * light.attenuation.w, LITFOG_DENSEST_FOG);
+}
 
 // Factor of the density profile for the light's class; 0 where there are no layers.
 float litfog_layer_scale(LitfogLight light) { return litfog_knot_count() > 0 ? light.attenuation.w : 0.0; }

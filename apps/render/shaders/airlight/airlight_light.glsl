@@ -11,8 +11,9 @@ uniform vec3 eye;
 
 #ifdef HAS_HIGHER_ORDERS
 #include "airlight/higher_orders.glsl"
-#endif
+#else
 #include "airlight/shaft.glsl"  // uses the eye declared above
+#endif
 
 layout(location = 0) out vec4 airlight;
 layout(location = 1) out vec4 gain;  // derivative of airlight by the fog's opacity, at the end of the ray
@@ -44,6 +45,31 @@ float largest_phase(LitfogLight light, vec3 direction, float nearest, float fart
                               scattering_versine(light, direction, farthest));
 }
 
+#ifdef HAS_HIGHER_ORDERS
+// The peak of a light's higher orders along a ray up to a range.
+vec3 light_along(int light_index, LitfogLight light, float shown_exposure, vec3 direction, float range) {
+  LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
+  return light.color_intensity.rgb * (litfog_airlight_unit() * higher_orders_peak(light_index, air));
+}
+
+// Its derivative by the fog's opacity, at the end of the ray.
+vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
+  LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
+  return light.color_intensity.rgb * (litfog_airlight_unit() * higher_orders_gain(light_index, air));
+}
+#else
+// A light's airlight along a ray up to a range. What it adds to the display, by its shown_exposure_at(), decides the
+// number of nodes.
+vec3 light_along(int light_index, LitfogLight light, float shown_exposure, vec3 direction, float range) {
+  LitfogLight shown = light;
+  shown.color_intensity.rgb *= shown_exposure;
+  vec3 along = litfog_light_airlight(shown, eye, direction, range) *
+               (lit_fraction(light_index, light, direction, range) / shown_exposure);
+  if (!has_far_peak) return along;
+  LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
+  return along + light.color_intensity.rgb * (litfog_airlight_unit() * litfog_far_peak(air));
+}
+
 // The derivative of a light's airlight by the fog's opacity, at the end of a ray.
 vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
   vec3 position = eye + direction * range;
@@ -60,6 +86,7 @@ vec3 gain_at(int light_index, LitfogLight light, vec3 direction, float range) {
   LitfogPhase phase = litfog_fog_phase();
   return litfog_is_isotropic(phase) ? lit : lit * litfog_phase(phase, 1.0 + dot(direction, ray.xyz));
 }
+#endif
 
 // The fraction of a light's airlight that a grid of every grid_step-th pixel keeps, along a ray at a distance from the
 // light. With t = h / range it keeps k / range (35 - 35 t^2 + 21 t^4 - 5 t^6) / 16 of k / h, the softening of
@@ -99,12 +126,9 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
   light.axis_profile.w = profile;
   vec4 opacities = seen_opacities(eye, direction, seen, light.attenuation.w);
   light.color_intensity.rgb *= fraction;
-  LitfogLight shown = light;  // decides the number of nodes: what adds little to the display needs few
-  shown.color_intensity.rgb *= shown_exposure;
   float gain_shown = shown_exposure * largest_phase(light, direction, seen.x, seen.w) *
                      largest_gain(light, direction, seen.x, seen.w);
   float equal_opacities = max(min(most_equal_bright, most_equal_bright / gain_shown), most_equal_dim / gain_shown);
-  vec3 sum = vec3(0.0);
   int first = 0;
   do {
     int run = 1;  // number of quarters that share an airlight
@@ -112,25 +136,8 @@ void add_light(int light_index, float fraction, vec3 direction, vec4 seen, float
     for (; first + run < 4 && opacities[first + run] - opacities[first] < equal_opacities; ++run) {
       ranges += seen[first + run];
     }
-    float range = ranges / float(run);
-    vec3 added = litfog_light_airlight(shown, eye, direction, range) *
-                 lit_fraction(light_index, light, direction, range);
-    LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
-    float peak = has_far_peak ? litfog_far_peak(air) : 0.0;
-#ifdef HAS_HIGHER_ORDERS
-    peak += higher_orders_peak(light_index, air);
-#endif
-    added += shown.color_intensity.rgb * (litfog_airlight_unit() * peak);
-    sum += 0.25 * float(run) * added;
+    airlight.rgb += 0.25 * float(run) * light_along(light_index, light, shown_exposure, direction, ranges / float(run));
     first += run;
   } while (first < 4);
-  airlight.rgb += sum / shown_exposure;
-  if (pixel_step == 1) return;
-  gain.rgb += gain_at(light_index, light, direction, mean_of(seen));
-#ifdef HAS_HIGHER_ORDERS
-  LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, mean_of(seen));
-  if (litfog_airlight_is_layered(air)) {
-    gain.rgb += light.color_intensity.rgb * (litfog_airlight_unit() * layered_peak_gain(light_index, air));
-  }
-#endif
+  if (pixel_step > 1) gain.rgb += gain_at(light_index, light, direction, mean_of(seen));
 }

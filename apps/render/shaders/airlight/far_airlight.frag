@@ -46,16 +46,21 @@ void main() {
     if (litfog_airlight_is_layered(air)) {
       LitfogAirlight beside = beside_peak(air);
       LitfogSlab fog_slab = litfog_slab(air);
-      LitfogLayeredStretch all = litfog_layered_stretch(air, fog_slab, begins[0], begins[slabs_at_once]);
-      float brightest = max(max(lamp.r, lamp.g), lamp.b) * scattered_in_layers(source, beside, fog_slab, all);
+      float hidden = litfog_depth_of_stretch(air, 0.0, begins[0]);
+      LitfogLayeredStretch all =
+          litfog_layered_stretch(air, fog_slab, begins[0], begins[slabs_at_once], hidden, source.z);
+      float brightest = max(max(lamp.r, lamp.g), lamp.b) * source.x *
+                        litfog_scattered_in_stretch(beside, all, source.w, beam_of(source), source.z);
       int parts = brightest < dim ? 1 : slab_parts;
       for (int part = 0; part < slabs_at_once * parts; ++part) {
         int slab = part / parts;
         float begin = begins[slab];
         float size = (begins[slab + 1] - begin) / float(parts);
         begin += float(part % parts) * size;
-        LitfogLayeredStretch stretch = litfog_layered_stretch(air, fog_slab, begin, begin + size);
-        slabs[slab] += lamp * scattered_in_layers(source, beside, fog_slab, stretch);
+        LitfogLayeredStretch stretch = litfog_layered_stretch(air, fog_slab, begin, begin + size, hidden, source.z);
+        slabs[slab] +=
+            lamp * (source.x * litfog_scattered_in_stretch(beside, stretch, source.w, beam_of(source), source.z));
+        hidden += stretch.depth;
       }
     } else {
       float before = source.x * litfog_scattered_beyond(air, begins[0], litfog_far_peak_angle, source.w);
