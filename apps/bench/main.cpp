@@ -61,6 +61,7 @@ steps (Wrenninge et al. 2013, as in engines); a random walk of 65,536 paths (wal
 Errors are against the discretised equation of transfer (reference). --strip draws one lamp at six visibilities.
 
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, with a million lights of 200 kinds, all carried and on.
+updater-layers: the same in a layer of droplets, with what all orders of scattering need for each kind.
 bytes_per_step: bytes to upload, the largest of all steps.
 
 load: 216,000 steps with a million lights, as in an hour at 60 per second. Each step changes the visibility and the

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <functional>
@@ -109,15 +110,23 @@ Record follow(const Follower& follower, FogMode mode, const std::vector<PlacedLi
   return record;
 }
 
+/// Droplets with a fog between the eye's height, 0, and 100 m, and clear air above.
+Atmosphere layered_air(const Fog& fog) {
+  const std::array<DensityKnot, 2> knots{{{100, fog.density}, {110, 0}}};
+  return {.fog = {fog.mode, 0}, .phase = Phase::droplets(10), .profile = make_density_profile(knots)};
+}
+
 Record follow_by_updater(const std::string& name, double budget_255, FogMode mode,
-                         const std::vector<PlacedLight>& lights, const Scale& scale, command::Progress& progress) {
+                         const std::vector<PlacedLight>& lights, const Scale& scale, command::Progress& progress,
+                         bool is_layered = false) {
   FogUpdater updater(budget_255);
+  if (is_layered) updater.solve_sources();
   std::vector<FogLightHandle> handles;
   handles.reserve(lights.size());
   for (const PlacedLight& light : lights) handles.push_back(updater.add(light));
   const Follower follower{
       .name = name,
-      .step = [&](const Fog& fog) { updater.set_fog(fog); },
+      .step = [&](const Fog& fog) { is_layered ? updater.set_atmosphere(layered_air(fog)) : updater.set_fog(fog); },
       .intensity = [&](std::size_t i) { return updater.kinds()[updater.kind_of(handles[i])].cone_scale_intensity.w; },
       .skipped_share = [&] { return double(updater.statistics().lights_skipped) / double(lights.size()); },
       .dirty_bytes = [&] { return updater.statistics().bytes_dirty; },
@@ -281,6 +290,10 @@ Result measure_update(bool quick) {
     add("updater", kDefaultSkipBudget255,
         follow_by_updater("updater", kDefaultSkipBudget255, mode, lights, scale, progress));
     add("updater-no-skip", kRounding255, follow_by_updater("updater-no-skip", 0, mode, lights, scale, progress));
+    if (mode == FogMode::exp) {
+      add("updater-layers", kDefaultSkipBudget255,
+          follow_by_updater("updater-layers", kDefaultSkipBudget255, mode, lights, scale, progress, true));
+    }
     add("batch-of-all", kRounding255, follow_by_batch("batch-of-all", mode, lights, scale, progress));
   }
   return result;

@@ -72,12 +72,14 @@ void add_phase(CLI::App& app, DrawingOptions& options) {
   };
   CLI::Option* const phase = add_named("--phase", "PHASE", "",
                                        "With airlight: phase function of the fog, instead of the scene's: isotropic, "
-                                       "hg:G (Henyey and Greenstein, G near 1 scatters straight ahead) or droplets:D "
-                                       "(water droplets of 5 to 50 micrometres; default droplets:10 in exp fog, "
-                                       "isotropic in exp2)");
+                                       "rayleigh (air), hg:G (Henyey and Greenstein, G near 1 scatters straight "
+                                       "ahead), draine:G,ALPHA (Draine), a sum of two of these such as "
+                                       "0.7*hg:0.8+0.3*hg:-0.2, or droplets:D (water droplets of 5 to 50 micrometres; "
+                                       "default droplets:10 in exp fog, isotropic in exp2)");
   add_named("--phase-g", "NUMBER", "hg:", "Shorthand for --phase hg:NUMBER")->excludes(phase);
   add_number(app, "--albedo", options.albedo, kFraction,
-             "With airlight: the fog's albedo, scattering over extinction, instead of the scene's");
+             "With airlight: the fog's albedo, scattering over extinction, instead of the scene's; below 1, light that "
+             "is scattered twice or more is left out (--scattering single)");
 }
 
 std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {

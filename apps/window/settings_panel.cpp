@@ -62,6 +62,7 @@ struct PhaseKind {
 };
 constexpr PhaseKind kPhaseKinds[] = {{"as in the scene", "", 0, 0, 0},
                                      {"isotropic", "isotropic", 0, 0, 0},
+                                     {"Rayleigh", "rayleigh", 0, 0, 0},
                                      {"Henyey and Greenstein", "hg:", 0.8, -0.95, 0.95},
                                      {"droplets", "droplets:", 10, 5, 50}};
 
@@ -74,7 +75,8 @@ void draw_phase(drawing::DrawingOptions& options) {
     options.phase = of.prefix + (of.most > 0 ? fmt::format("{}", number) : "");
   };
   label("Phase");
-  if (ImGui::BeginCombo("##phase", kind->text)) {
+  const bool is_other = kind == kPhaseKinds && !options.phase.empty();
+  if (ImGui::BeginCombo("##phase", is_other ? options.phase.c_str() : kind->text)) {
     for (const PhaseKind& each : kPhaseKinds) {
       if (ImGui::Selectable(each.text, &each == kind)) set(each, each.first);
     }
@@ -147,6 +149,7 @@ std::string draw_fog(Session& session) {
   draw_phase(options);
   double albedo = options.albedo.value_or(session.scene().atmosphere.albedo);
   if (slide("Albedo", albedo, 0, 1, "%.3g")) options.albedo = albedo;
+  explain("Below 1, light that is scattered twice or more is left out");
   ImGui::EndDisabled();
   const std::string complaint = draw_layers(options);
   ImGui::EndDisabled();

@@ -21,7 +21,7 @@ inline constexpr double kHazeHeight = 1200;
 struct Atmosphere {
   Fog fog = {};
   Phase phase = {};
-  double albedo = 1;  ///< [0, 1]: scattering over extinction
+  double albedo = 1;  ///< [0, 1]: scattering over extinction; all orders of scattering need 1
   /// metres: height at which rays to the sky leave the fog, unless a layer reaches higher: top_above(). Light of the
   /// sun or the moon also enters there: light_top().
   double top = std::numeric_limits<double>::infinity();
@@ -64,9 +64,10 @@ struct Atmosphere {
   /// Height in metres above `height` at which rays to the sky leave the fog: at the top, or at the last knot if that is
   /// higher. Infinity if they never leave it: without a top, or in a profile that is not 0 above its knots.
   double top_above(double height) const;
-  /// Height in metres at which the light of the sun or the moon enters the fog: the top, or kHazeHeight if that is
-  /// infinite, and at least the last knot's height. A profile that is not 0 above its knots ends kHazeHeight above the
-  /// last. Finite unless the top is -infinity.
+  /// Height in metres at which the light of the sun or the moon enters the fog: the top, or kHazeHeight above height 0
+  /// if that is infinite, and at least the last knot's height. Haze on ground above kHazeHeight dims none of that light
+  /// unless the top is stated. A profile that is not 0 above its knots ends kHazeHeight above the last. Finite unless
+  /// the top is -infinity.
   double light_top() const;
 };
 

@@ -13,7 +13,8 @@ namespace litfog {
 /// the light's slanted path from Atmosphere::light_top(). It lights surfaces. It tends to 1 as haze thins out, except
 /// for light at or below the horizon, which any haze keeps out because fog is level.
 ///
-/// atmosphere  exp fog (in exp2 fog the depths of two legs do not add up)
+/// atmosphere  exp fog (in exp2 fog the depths of two legs do not add up). If the top is infinite, the light enters at
+///             kHazeHeight above height 0, wherever the ground is.
 /// to_light    unit within kDirectionTolerance
 /// height      metres, at most kMaxPosition in magnitude
 /// returns     [0, 1]

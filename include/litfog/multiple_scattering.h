@@ -83,13 +83,14 @@ struct ScatteringSource {
 };
 
 /// Effective intensity of a light in its fog, in layers in the densest, m^2; 0 in clear air, in total fog and in exp2
-/// fog. FogUpdater::effective_intensities() has those of the lights that it holds, without layers.
+/// fog.
 ///
 /// light   its class sees the fog at its density scale
 /// throws  std::invalid_argument naming field, value and rule
 double source_intensity(const Light& light, const Atmosphere& atmosphere);
 
-/// A light as a point lamp for multiple_scattering(): it has no beam.
+/// A light as a point lamp for multiple_scattering(): it has no beam. FogUpdater::sources() has those of the lights
+/// that it holds.
 ///
 /// throws  std::invalid_argument naming field, value and rule
 ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosphere);
@@ -121,8 +122,8 @@ inline constexpr double kScatteringMaxError = 0.2;
 inline constexpr double kFarScatteringMedianError = 0.01;
 inline constexpr double kFarScatteringTypicalError = 0.08;
 
-/// The same of a point lamp with another law, at depths of up to 10: one that leaves 1 / r^2 within 0.01 to 30 mean free
-/// paths.
+/// The same of a point lamp with another law, at depths of up to 10: one that leaves 1 / r^2 within 0.01 to 30 mean
+/// free paths.
 inline constexpr double kSoftScatteringMedianError = 0.02;
 inline constexpr double kSoftScatteringTypicalError = 0.08;
 inline constexpr double kSoftScatteringMaxError = 0.5;

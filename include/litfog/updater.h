@@ -32,22 +32,31 @@ struct EntryRange {
   friend bool operator==(const EntryRange&, const EntryRange&) = default;
 };
 
+/// What all orders of scattering take of the lights of a kind: members of their ScatteringSource
+/// (litfog/multiple_scattering.h), rounded, at most the largest float.
+struct FogLightSource {
+  float intensity = 0;   ///< m^2; 0 of kinds of which no light is on
+  float soft_range = 0;  ///< metres
+
+  friend bool operator==(const FogLightSource&, const FogLightSource&) = default;
+};
+
 /// The ranges of each table that must be uploaded again: sorted, disjoint, joined over gaps that cost less than a call.
 struct FogLightChanges {
   std::span<const EntryRange> kinds;
   std::span<const EntryRange> instances;
-  std::span<const EntryRange> effective_intensities;  ///< none unless they are solved
+  std::span<const EntryRange> sources;  ///< none unless they are solved
 
-  bool empty() const { return kinds.empty() && instances.empty() && effective_intensities.empty(); }
+  bool empty() const { return kinds.empty() && instances.empty() && sources.empty(); }
 };
 
-/// What the last set_fog did.
+/// What the last set_atmosphere or set_fog did.
 struct FogUpdateStatistics {
   std::size_t kinds_solved = 0;
   std::size_t kinds_skipped = 0;   ///< the other kinds held: not carried, unchanged, dark, or bounded below the budget
   std::size_t lights_skipped = 0;  ///< lights switched off, black, or of a skipped kind
   std::size_t bytes_dirty = 0;     ///< size of the ranges returned, in all tables
-  std::size_t effective_solved = 0;  ///< kinds whose effective intensity was solved
+  std::size_t sources_solved = 0;  ///< kinds whose source was solved
 };
 
 /// Default skip budget, in 1/255: half a step of an 8-bit picture.
@@ -59,10 +68,11 @@ inline constexpr double kDefaultReachStep = kDefaultSkipBudget255 / 255;
 /// Keeps the lights of a scene as the shaders' tables (litfog/fog_light_block.h), which follow every change of the
 /// visibility at a cost for each kind of light, not for each light.
 ///
-/// The caller adds, changes, switches and removes lights, then calls set_fog once a frame and uploads the ranges that
-/// it returns, by litfog::gl or otherwise. Lights that agree in all but name, colour, flash, position and direction
-/// share a kind, which the updater finds by itself and drops with the last of its lights.
-/// - A change of the fog touches kinds alone. A kind is solved once, however many lights it has.
+/// The caller adds, changes, switches and removes lights, then calls set_atmosphere or set_fog once a frame and uploads
+/// the ranges that it returns, by litfog::gl or otherwise. Lights that agree in all but name, colour, flash, position
+/// and direction share a kind, which the updater finds by itself and drops with the last of its lights.
+/// - A change of the fog or its layers touches kinds and their sources alone, one of the phase function sources alone.
+///   A kind is solved once, however many lights it has.
 /// - A change of the time touches the instances whose lamps begin or end a flash: their colour. Nothing is solved.
 /// - An instance is touched only where its light is added, changed, switched, removed or flashes. It keeps its index
 ///   among the instances until it is removed, whatever its kind; then the index goes to the next light added. Instances
@@ -85,7 +95,7 @@ class FogUpdater {
   FogUpdater(FogUpdater&&) noexcept;
   FogUpdater& operator=(FogUpdater&&) noexcept;
 
-  /// Adds a light, switched on. It is in the tables after the next set_fog, like every change below.
+  /// Adds a light, switched on. It is in the tables after the next set_atmosphere or set_fog, like every change below.
   ///
   /// throws  std::invalid_argument naming field, value and rule
   FogLightHandle add(const PlacedLight& light);
@@ -110,27 +120,29 @@ class FogUpdater {
   /// throws  std::invalid_argument if the handle is of no light held
   void remove(FogLightHandle handle);
 
-  /// Brings the tables up to date with the fog (clear air before the first call) and with all changes of lights since
-  /// the last call. In layered air that is the fog at the eye's height, Atmosphere::fog_at(). Allocates nothing. Takes
-  /// time for each kind and each changed light (`litfog-bench update`).
+  /// Brings the tables up to date with the air (clear before the first call) and with all changes of lights since the
+  /// last call. Intensities of kinds are those in the fog at the eye's height, Atmosphere::fog_at(), which carried
+  /// lamps light. Allocates nothing. Takes time for each kind and each changed light (`litfog-bench update`).
   ///
-  /// returns  ranges that cover every entry that has changed or is new since the last call; valid until the next call
-  ///          that is not const
-  /// throws   std::invalid_argument naming field, value and rule
-  FogLightChanges set_fog(const Fog& fog);
+  /// eye_height  metres; it counts in layers alone
+  /// returns     ranges that cover every entry that has changed or is new since the last call; valid until the next
+  ///             call that is not const
+  /// throws      std::invalid_argument naming field, value and rule
+  FogLightChanges set_atmosphere(const Atmosphere& atmosphere, double eye_height = 0);
+
+  /// The same in uniform fog that is isotropic, which counts for the sources alone.
+  FogLightChanges set_fog(const Fog& fog) { return set_atmosphere({.fog = fog}); }
 
   /// The tables. They grow with the lights and do not shrink.
   std::span<const FogLightKind> kinds() const;
   std::span<const FogLightInstance> instances() const;
 
-  /// Lets set_fog solve the effective intensity of each kind, too, which all orders of scattering take
-  /// (litfog/multiple_scattering.h): carried or not, whatever the budget. Allocates nothing.
-  void solve_effective_intensities();
+  /// Lets set_atmosphere and set_fog solve the source of each kind, too, carried or not, whatever the budget. Allocates
+  /// nothing.
+  void solve_sources();
 
-  /// The source_intensity() of each kind's lights in the fog of set_fog(), m^2, rounded, at most the largest float; 0 of
-  /// kinds of which no light is on. In layers, source_intensity() has that of the densest fog. Empty unless they are
-  /// solved.
-  std::span<const float> effective_intensities() const;
+  /// What scattering_source() has of each kind's lights: in layers, in the densest fog. Empty unless they are solved.
+  std::span<const FogLightSource> sources() const;
 
   /// Index of a light among the instances.
   ///

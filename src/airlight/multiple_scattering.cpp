@@ -148,7 +148,7 @@ constexpr std::size_t kNodes = 36;
 /// t = u - e^(-0.35 u). In t, the integrand is analytic in a strip of half width pi / 2. Small y, where t takes the
 /// longest steps, weigh little.
 struct IntensityRule {
-  std::array<double, kNodes> depths, inverses, weights;
+  std::array<double, kNodes> depths, inverses, roots, weights;  // roots of the inverses
 };
 
 IntensityRule make_intensity_rule() {
@@ -161,16 +161,19 @@ IntensityRule make_intensity_rule() {
     const double depth = exp(u - bent);
     rule.depths[i] = depth;
     rule.inverses[i] = 1 / depth;
+    rule.roots[i] = std::sqrt(rule.inverses[i]);
     rule.weights[i] = kStep * (1 + kBend * bent) * depth * exp(-depth);
   }
   return rule;
 }
 
-/// The integral of x^power e^-x from 0 on: the lower incomplete gamma function, by its series.
-double integrate_plateau(double power, double end) {
+/// The integral of x^power e^-x from 0 to an end: the lower incomplete gamma function, by its series.
+///
+/// last  end^(power + 1) e^-end
+double integrate_plateau(double power, double end, double last) {
   constexpr double kWhole = 60;  // from where on the rest is below 1e-20
   if (end > kWhole) return std::tgamma(power + 1);
-  double term = std::pow(end, power + 1) * exp(-end) / (power + 1), sum = 0;
+  double term = last / (power + 1), sum = 0;
   for (double n = power + 2; term > 1e-17 * sum; ++n) {
     sum += term;
     term *= end / n;
@@ -178,46 +181,51 @@ double integrate_plateau(double power, double end) {
   return sum;
 }
 
-/// effective_intensity() times the mean of a power of the depth x = d r, where all that light is scattered for the
-/// first time: with the depth k of the knee and x = k + y,
+/// Integrals over the depth x = d r, where all that light is scattered for the first time.
+struct LawIntegrals {
+  double intensity;  // of d e^-x r^2 a(r) dr: effective_intensity()
+  double roots;      // the same times x^(-1/2)
+};
+
+/// With the depth k of the knee and x = k + y, for powers of 0 and -1/2,
 ///   (1 / d^2) integral of x^(2 + power) e^-x from 0 to k
 ///     +  e^-k integral of (k + y)^power e^-y / ((C / r + L) / r + Q) over y > 0.
-/// The intensity, power 0, takes 35 ns without a knee and 80 with one, by AVX2 as by SSE2: divisions take it.
-template <typename Power>
-double integrate_law(const Attenuation& attenuation, double density, double power, const Power& raised) {
+LawIntegrals integrate_law(const Attenuation& attenuation, double density) {
   static const IntensityRule rule = make_intensity_rule();
   density = std::clamp(density, kThinnest, kThickest);
   constexpr double kDarkDepth = 700;
   const bool has_knee = attenuation.constant < 1;
   const double knee = has_knee ? min(density * unchecked::compute_extent(attenuation, 1), kDarkDepth) : 0;
-  const auto sum_over = [&](const auto& inverse_depth) {
-    double sums[4] = {};  // which compilers turn into vectors
+  const auto sum_over = [&](const auto& inverse_depth, const auto& inverse_root) {
+    double sums[4] = {}, roots[4] = {};  // which compilers turn into vectors
     for (std::size_t i = 0; i < kNodes; i += 4) {
       for (std::size_t j = 0; j < 4; ++j) {
-        const double of_depth = inverse_depth(i + j), inverse = density * of_depth;
-        sums[j] += rule.weights[i + j] * raised(of_depth) /
-                   ((attenuation.constant * inverse + attenuation.linear) * inverse + attenuation.quadratic);
+        const double inverse = density * inverse_depth(i + j);
+        const double part = rule.weights[i + j] /
+                            ((attenuation.constant * inverse + attenuation.linear) * inverse + attenuation.quadratic);
+        sums[j] += part;
+        roots[j] += part * inverse_root(i + j);
       }
     }
-    return (sums[0] + sums[1]) + (sums[2] + sums[3]);
+    return LawIntegrals{(sums[0] + sums[1]) + (sums[2] + sums[3]), (roots[0] + roots[1]) + (roots[2] + roots[3])};
   };
-  if (!has_knee) return sum_over([&](std::size_t i) { return rule.inverses[i]; });
-  const double plateau = integrate_plateau(2 + power, knee) / (density * density);
+  if (!has_knee) {
+    return sum_over([&](std::size_t i) { return rule.inverses[i]; }, [&](std::size_t i) { return rule.roots[i]; });
+  }
+  const double left = exp(-knee), root = std::sqrt(knee), square = density * density;
+  const LawIntegrals plateau{integrate_plateau(2, knee, knee * knee * knee * left) / square,
+                             integrate_plateau(1.5, knee, knee * knee * root * left) / square};
   if (knee == kDarkDepth) return plateau;
-  return plateau + exp(-knee) * sum_over([&](std::size_t i) { return 1 / (knee + rule.depths[i]); });
+  const auto inverse_depth = [&](std::size_t i) { return 1 / (knee + rule.depths[i]); };
+  const LawIntegrals beyond = sum_over(inverse_depth, [&](std::size_t i) { return std::sqrt(inverse_depth(i)); });
+  return {plateau.intensity + left * beyond.intensity, plateau.roots + left * beyond.roots};
 }
 
-double integrate_intensity(const Attenuation& attenuation, double density) {
-  return integrate_law(attenuation, density, 0, [](double) { return 1.0; });
-}
-
-double solve_soft_range(const Attenuation& attenuation, double density, const Phase& phase) {
-  if (!(density > kThinnest) || std::isinf(density)) return 0;
-  const double roots = integrate_law(attenuation, density, -0.5, [](double inverse) { return std::sqrt(inverse); });
+double soft_range_of(const LawIntegrals& law, double density, double phase_cosine) {
   // Of a lamp with 1 / r^2 the mean of depth^(-1/2) is the root of pi.
-  const double x = std::sqrt(std::numbers::pi) * integrate_intensity(attenuation, density) / roots - 1;
+  const double x = std::sqrt(std::numbers::pi) * law.intensity / law.roots - 1;
   if (!(x > 0)) return 0;
-  return (1 + mean_cosine(phase)) * x * x / (std::sqrt(0.3 + 1.3 * x) * min(density, kThickest));
+  return (1 + phase_cosine) * x * x / (std::sqrt(0.3 + 1.3 * x) * std::clamp(density, kThinnest, kThickest));
 }
 
 }  // namespace
@@ -293,37 +301,34 @@ void require_density(double density) {
 double effective_intensity(const Attenuation& attenuation, double density) {
   require(find_error(attenuation));
   require_density(density);
-  return integrate_intensity(attenuation, density);
+  return integrate_law(attenuation, density).intensity;
 }
 
 double soft_range(const Attenuation& attenuation, double density, const Phase& phase) {
   require(find_error(attenuation));
   require(find_error(phase));
   require_density(density);
-  return solve_soft_range(attenuation, density, phase);
+  return soft_range_of(integrate_law(attenuation, density), density, mean_cosine(phase));
 }
 
-double unchecked::source_intensity(const Attenuation& attenuation, const Fog& seen_fog) {
-  if (!(seen_fog.density > kThinnest) || std::isinf(seen_fog.density) || seen_fog.mode != FogMode::exp) return 0;
-  return integrate_intensity(attenuation, seen_fog.density);
+unchecked::PointSource unchecked::point_source(const Attenuation& attenuation, const Fog& seen_fog,
+                                               double phase_cosine) {
+  if (!(seen_fog.density > kThinnest) || std::isinf(seen_fog.density) || seen_fog.mode != FogMode::exp) return {};
+  const LawIntegrals law = integrate_law(attenuation, seen_fog.density);
+  return {law.intensity, law.intensity > 0 ? soft_range_of(law, seen_fog.density, phase_cosine) : 0};
 }
 
 double source_intensity(const Light& light, const Atmosphere& atmosphere) {
-  require(find_error(light));
-  require(find_error(atmosphere));
-  return unchecked::source_intensity(light.attenuation,
-                                     unchecked::scaled(atmosphere.thickest_fog(), light.density_scale));
+  return scattering_source(light, atmosphere).intensity;
 }
 
 ScatteringSource scattering_source(const Light& light, const Atmosphere& atmosphere) {
   require(find_error(light));
   require(find_error(atmosphere));
+  const double cosine = mean_cosine(atmosphere.phase);
   const Fog fog = unchecked::scaled(atmosphere.thickest_fog(), light.density_scale);
-  ScatteringSource source;
-  source.intensity = unchecked::source_intensity(light.attenuation, fog);
-  if (source.intensity > 0) source.soft_range = solve_soft_range(light.attenuation, fog.density, atmosphere.phase);
-  source.phase_cosine = mean_cosine(atmosphere.phase);
-  return source;
+  const auto [intensity, soft_range] = unchecked::point_source(light.attenuation, fog, cosine);
+  return {.intensity = intensity, .soft_range = soft_range, .phase_cosine = cosine};
 }
 
 ScatteringSource scattering_source(const Light& light, const BeamMoments& shape, const Atmosphere& atmosphere,

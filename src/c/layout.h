@@ -70,10 +70,11 @@ LITFOG_COUNTERPART(litfog_fog_light_kind, FogLightKind, attenuation_extent, cone
 LITFOG_COUNTERPART(litfog_fog_light_instance, FogLightInstance, position_kind, axis_profile, color);
 LITFOG_COUNTERPART(litfog_fog_header, FogHeader, fog, ambient_fog_color, phase_lobes, density_knots);
 LITFOG_COUNTERPART(litfog_fog_light_block, FogLightBlock, header, kinds, instances);
+LITFOG_COUNTERPART(litfog_fog_light_source, FogLightSource, intensity, soft_range);
 LITFOG_COUNTERPART(litfog_light_handle, FogLightHandle, slot, generation);
 LITFOG_COUNTERPART(litfog_entry_range, EntryRange, begin, end);
 LITFOG_COUNTERPART(litfog_fog_update_statistics, FogUpdateStatistics, kinds_solved, kinds_skipped, lights_skipped,
-                   bytes_dirty, effective_solved);
+                   bytes_dirty, sources_solved);
 LITFOG_COUNTERPART(litfog_light_bounds, LightBounds, position, direction, range, half_angle);
 LITFOG_COUNTERPART(litfog_view, View, eye, forward, up, left, right, bottom, top, nearest, farthest);
 LITFOG_COUNTERPART(litfog_cluster_grid, ClusterGrid, columns, rows, slices, first_depth);

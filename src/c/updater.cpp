@@ -13,6 +13,15 @@ namespace {
 FogUpdater& updater_of(litfog_updater* updater) { return c::at(updater, "updater").updater; }
 const FogUpdater& updater_of(const litfog_updater* updater) { return c::at(updater, "updater").updater; }
 
+litfog_fog_light_changes changes_of(const FogLightChanges& found) {
+  return {.kinds = c::view_as<litfog_entry_range>(found.kinds),
+          .kind_count = found.kinds.size(),
+          .instances = c::view_as<litfog_entry_range>(found.instances),
+          .instance_count = found.instances.size(),
+          .sources = c::view_as<litfog_entry_range>(found.sources),
+          .source_count = found.sources.size()};
+}
+
 }  // namespace
 
 litfog_status litfog_updater_create(double skip_budget_255, litfog_updater** updater) {
@@ -53,27 +62,29 @@ litfog_status litfog_updater_set_fog(litfog_updater* updater, const litfog_fog* 
                                      litfog_fog_light_changes* changes) {
   return c::call([&] {
     c::at(changes, "changes");
-    const FogLightChanges found = updater_of(updater).set_fog(c::fog(fog));
-    *changes = {.kinds = c::view_as<litfog_entry_range>(found.kinds),
-                .kind_count = found.kinds.size(),
-                .instances = c::view_as<litfog_entry_range>(found.instances),
-                .instance_count = found.instances.size(),
-                .effective_intensities = c::view_as<litfog_entry_range>(found.effective_intensities),
-                .effective_intensity_count = found.effective_intensities.size()};
+    *changes = changes_of(updater_of(updater).set_fog(c::fog(fog)));
   });
 }
 
-litfog_status litfog_updater_solve_effective_intensities(litfog_updater* updater) {
-  return c::call([&] { updater_of(updater).solve_effective_intensities(); });
+litfog_status litfog_updater_set_atmosphere(litfog_updater* updater, const litfog_atmosphere* atmosphere,
+                                            double eye_height, litfog_fog_light_changes* changes) {
+  return c::call([&] {
+    c::at(changes, "changes");
+    *changes = changes_of(updater_of(updater).set_atmosphere(c::atmosphere(atmosphere), eye_height));
+  });
 }
 
-litfog_status litfog_updater_effective_intensities(const litfog_updater* updater, const float** intensities,
-                                                   size_t* count) {
+litfog_status litfog_updater_solve_sources(litfog_updater* updater) {
+  return c::call([&] { updater_of(updater).solve_sources(); });
+}
+
+litfog_status litfog_updater_sources(const litfog_updater* updater, const litfog_fog_light_source** sources,
+                                     size_t* count) {
   return c::call([&] {
-    const std::span<const float> found = updater_of(updater).effective_intensities();
-    c::at(intensities, "intensities");
+    const std::span<const FogLightSource> found = updater_of(updater).sources();
+    c::at(sources, "sources");
     c::at(count, "count") = found.size();
-    *intensities = found.data();
+    *sources = c::view_as<litfog_fog_light_source>(found);
   });
 }
 

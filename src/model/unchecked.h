@@ -12,8 +12,11 @@
 
 namespace litfog::unchecked {
 
-/// source_intensity() of a light with an attenuation whose class sees a fog.
-double source_intensity(const Attenuation& attenuation, const Fog& seen_fog);
+/// What a ScatteringSource has of a light with an attenuation whose class sees a fog.
+struct PointSource {
+  double intensity = 0, soft_range = 0;
+};
+PointSource point_source(const Attenuation& attenuation, const Fog& seen_fog, double phase_cosine);
 double compute_extent(const Attenuation& attenuation, double threshold);
 Fog scaled(const Fog& fog, double density_scale);
 FogIntensity solve_fog_intensity(const Attenuation& attenuation, const Fog& fog, double threshold);

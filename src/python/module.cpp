@@ -470,6 +470,8 @@ py::dtype instance_dtype() {
   return make_dtype({{"position_kind", "f4", 4}, {"axis_profile", "f4", 4}, {"color", "f4", 4}});
 }
 
+py::dtype source_dtype() { return make_dtype({{"intensity", "f4", 1}, {"soft_range", "f4", 1}}); }
+
 /// An updater whose tables stay where they are while arrays show them, as a bytearray does with its buffers. Only
 /// adding and changing lights can move them. Its calls keep the GIL, which makes them safe on any thread.
 struct Updater : FogUpdater {
@@ -495,13 +497,17 @@ py::array view_table(const std::shared_ptr<Updater>& updater, std::span<const En
 }
 
 struct Changes {
-  py::list kinds, instances, effective_intensities;
+  py::list kinds, instances, sources;
 };
 
 py::list slices(std::span<const EntryRange> ranges) {
   py::list list;
   for (const EntryRange& range : ranges) list.append(py::slice(py::ssize_t(range.begin), py::ssize_t(range.end), 1));
   return list;
+}
+
+Changes changes_of(const FogLightChanges& found) {
+  return {slices(found.kinds), slices(found.instances), slices(found.sources)};
 }
 
 /// A value that keeps its rule. C++ leaves that to the caller, in functions for inner loops.
@@ -914,11 +920,13 @@ void bind_airlight(py::module_& m) {
       py::arg("step"), py::arg("lights"), py::arg("brightness"), py::arg("atmosphere"),
       "The budget of light_reach at which all that lights add beyond their reaches stays below a step of a picture,\n"
       "in linear light. brightness: the largest component of a light's colour, a number or an array.");
-  m.def("directional_airlight", &directional_airlights_of, py::arg("atmosphere"), py::arg("to_light"), py::arg("rays"),
-        py::kw_only(), py::arg("out") = py::none(),
-        "Airlight of a directional light, such as the sun or the moon, along rays, to be multiplied with its colour;\n"
-        "0 in fog that does not end above. The fog is exp, to_light unit; rays and out as for airlight. Releases the\n"
-        "GIL. ValueError with field, value and rule, before any result is written.");
+  m.def(
+      "directional_airlight", &directional_airlights_of, py::arg("atmosphere"), py::arg("to_light"), py::arg("rays"),
+      py::kw_only(), py::arg("out") = py::none(),
+      "Airlight of a directional light, such as the sun or the moon, along rays, to be multiplied with its colour;\n"
+      "as it enters the fog: at the atmosphere's top, or where that is infinite at 1200 m above height 0, wherever\n"
+      "the ground is. The fog is exp, to_light unit; rays and out as for airlight. Releases the GIL. ValueError with\n"
+      "field, value and rule, before any result is written.");
   m.def(
       "directional_fog_factor",
       [](const Atmosphere& atmosphere, const Given<glm::dvec3>& to_light, const py::object& height) {
@@ -981,6 +989,7 @@ void bind_airlight(py::module_& m) {
 void bind_updater(py::module_& m) {
   m.attr("FOG_LIGHT_KIND") = kind_dtype();
   m.attr("FOG_LIGHT_INSTANCE") = instance_dtype();
+  m.attr("FOG_LIGHT_SOURCE") = source_dtype();
   py::class_<FogLightHandle>(m, "FogLightHandle", "A light that a FogUpdater holds.")
       .def(
           "__eq__", [](const FogLightHandle& a, const FogLightHandle& b) { return a == b; }, py::is_operator())
@@ -992,23 +1001,21 @@ void bind_updater(py::module_& m) {
   py::class_<Changes>(m, "FogLightChanges", "What must be uploaded again: sorted, disjoint slices of each table.")
       .def_readonly("kinds", &Changes::kinds, "slices of FogUpdater.kinds")
       .def_readonly("instances", &Changes::instances, "slices of FogUpdater.instances")
-      .def_readonly("effective_intensities", &Changes::effective_intensities,
-                    "slices of FogUpdater.effective_intensities");
-  show_fields(m.attr("FogLightChanges"), {"kinds", "instances", "effective_intensities"});
-  py::class_<FogUpdateStatistics>(m, "FogUpdateStatistics", "What the last set_fog did.")
+      .def_readonly("sources", &Changes::sources, "slices of FogUpdater.sources");
+  show_fields(m.attr("FogLightChanges"), {"kinds", "instances", "sources"});
+  py::class_<FogUpdateStatistics>(m, "FogUpdateStatistics", "What the last set_fog or set_atmosphere did.")
       .def_readonly("kinds_solved", &FogUpdateStatistics::kinds_solved, "kinds")
       .def_readonly("kinds_skipped", &FogUpdateStatistics::kinds_skipped, "the other kinds held")
       .def_readonly("lights_skipped", &FogUpdateStatistics::lights_skipped, "lights off, black, or of a skipped kind")
       .def_readonly("bytes_dirty", &FogUpdateStatistics::bytes_dirty, "of the entries in the slices returned")
-      .def_readonly("effective_solved", &FogUpdateStatistics::effective_solved,
-                    "kinds whose effective intensity was solved");
+      .def_readonly("sources_solved", &FogUpdateStatistics::sources_solved, "kinds whose source was solved");
   show_fields(m.attr("FogUpdateStatistics"),
-              {"kinds_solved", "kinds_skipped", "lights_skipped", "bytes_dirty", "effective_solved"});
+              {"kinds_solved", "kinds_skipped", "lights_skipped", "bytes_dirty", "sources_solved"});
   py::class_<Updater, std::shared_ptr<Updater>>(
       m, "FogUpdater",
       "The lights of a scene as the shaders' tables, kept up to date through every change of the visibility. Lights\n"
-      "that agree in all but name, colour, flash, position and direction share a kind; a change of the fog touches\n"
-      "kinds alone. The tables have every change of lights after the next set_fog.")
+      "that agree in all but name, colour, flash, position and direction share a kind; a change of the air touches\n"
+      "kinds and sources alone. The tables have every change of lights after the next set_fog or set_atmosphere.")
       .def(py::init<double>(), py::arg("skip_budget_255") = kDefaultSkipBudget255)
       .def(
           "add",
@@ -1031,13 +1038,16 @@ void bind_updater(py::module_& m) {
            "Moves the time, 0 before: lights that flash take the colour that they have then. Solves nothing.")
       .def("remove", &Updater::remove, py::arg("handle"), "Removes a light; its handle is then of no light.")
       .def(
-          "set_fog",
-          [](Updater& updater, const Fog& fog) {
-            const FogLightChanges changes = updater.set_fog(fog);
-            return Changes{slices(changes.kinds), slices(changes.instances), slices(changes.effective_intensities)};
-          },
-          py::arg("fog"),
+          "set_fog", [](Updater& updater, const Fog& fog) { return changes_of(updater.set_fog(fog)); }, py::arg("fog"),
           "Brings the tables up to date with the fog and the lights. Returns what has changed or is new.")
+      .def(
+          "set_atmosphere",
+          [](Updater& updater, const Atmosphere& air, double eye_height) {
+            return changes_of(updater.set_atmosphere(air, eye_height));
+          },
+          py::arg("atmosphere"), py::arg("eye_height") = 0.0,
+          "The same of any air. Intensities of kinds are those in the fog at the eye's height, sources those of\n"
+          "scattering_source in the densest fog. ValueError with field, value and rule.")
       .def_property_readonly(
           "kinds",
           [](const std::shared_ptr<Updater>& updater) { return view_table(updater, updater->kinds(), kind_dtype()); },
@@ -1048,16 +1058,15 @@ void bind_updater(py::module_& m) {
             return view_table(updater, updater->instances(), instance_dtype());
           },
           "The table of instances where it lies: a read-only array of dtype FOG_LIGHT_INSTANCE, which set_fog changes.")
-      .def("solve_effective_intensities", &Updater::solve_effective_intensities,
-           "Lets set_fog solve the effective intensity of each kind, too, for all orders of scattering in fog without "
-           "layers.")
+      .def("solve_sources", &Updater::solve_sources,
+           "Lets set_fog and set_atmosphere solve the source of each kind, too, for all orders of scattering.")
       .def_property_readonly(
-          "effective_intensities",
+          "sources",
           [](const std::shared_ptr<Updater>& updater) {
-            return view_table(updater, updater->effective_intensities(), py::dtype::of<float>());
+            return view_table(updater, updater->sources(), source_dtype());
           },
-          "The effective intensities in m^2, one a kind, where they lie: a read-only float32 array, which set_fog\n"
-          "changes. It is empty unless they are solved.")
+          "The sources, one a kind, where they lie: a read-only array of dtype FOG_LIGHT_SOURCE, which set_fog and\n"
+          "set_atmosphere change. It is empty unless they are solved; set_fog has those of isotropic fog.")
       .def("instance_of", &Updater::instance_of, py::arg("handle"), "Index of a light among the instances.")
       .def("kind_of", &Updater::kind_of, py::arg("handle"), "Index of a light's kind.")
       .def_property_readonly(

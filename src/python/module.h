@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "litfog/light.h"
+#include "model/require.h"
 #include "python/numbers.h"
 
 /// A number that is not masked.
@@ -139,13 +140,15 @@ Field<kIsRequired, Struct, T> field(const char* name, T Struct::*member, const c
   return {name, member, meaning};
 }
 
-/// A class of a struct that is a record of these fields.
+/// A class of a struct that is a record of these fields. Its constructor refuses what find_error() of the struct does;
+/// a field that is assigned is checked where the struct is used, because a rule may span fields that change together.
 template <typename Struct, typename... Fields>
 py::class_<Struct> bind_record(py::module_& m, const char* name, const char* meaning, const Fields&... fields) {
   py::class_<Struct> type(m, name, meaning);
   const auto make = [fields...](const Given<typename Fields::Value>&... values) {
     Struct made{};
     ((made.*fields.member = values.value(fields.name)), ...);
+    if constexpr (requires { find_error(made); }) require(find_error(made));
     return made;
   };
   type.def(py::init(make), fields.argument()...);

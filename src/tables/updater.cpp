@@ -67,7 +67,7 @@ struct Kind {
   bool is_carried;
   bool has_changed = true;  ///< any of its lights since the last set_fog
   bool is_dirty = true;
-  bool is_effective_dirty = true;
+  bool is_source_dirty = true;
   std::vector<std::uint32_t> lights = {};  ///< slots; a binary heap, the brightest first
   KindKey key;
 };
@@ -140,6 +140,17 @@ class RangeList {
   std::vector<EntryRange> ranges_;
 };
 
+/// What sources depend on besides their kind.
+struct SourceAir {
+  Fog thickest = {};
+  double phase_cosine = 0;
+
+  friend bool operator==(const SourceAir&, const SourceAir&) = default;
+};
+
+/// As a float, at most the largest.
+float rounded(double value) { return float(std::min(value, double(std::numeric_limits<float>::max()))); }
+
 }  // namespace
 
 /// Everything of the updater; its public face forwards to the public calls here, which are documented there.
@@ -152,12 +163,12 @@ class FogUpdater::Store {
   void switch_light(FogLightHandle handle, bool is_on);
   void set_time(double seconds);
   void remove(FogLightHandle handle);
-  FogLightChanges set_fog(const Fog& fog);
+  FogLightChanges set_atmosphere(const Atmosphere& atmosphere, double eye_height);
   std::span<const FogLightKind> kinds() const { return kind_table_; }
   std::span<const FogLightInstance> instances() const { return instances_; }
-  void solve_effective_intensities();
-  std::span<const float> effective_intensities() const {
-    return std::span(effective_).first(solves_effective_ ? effective_.size() : 0);
+  void solve_sources();
+  std::span<const FogLightSource> sources() const {
+    return std::span(sources_).first(solves_sources_ ? sources_.size() : 0);
   }
   std::uint32_t slot_of(FogLightHandle handle) const;
   std::uint32_t kind_of(FogLightHandle handle) const { return records_[slot_of(handle)].kind; }
@@ -180,17 +191,18 @@ class FogUpdater::Store {
   void sift(Kind& kind, std::size_t index);
   bool is_below_budget(const Kind& kind, const Fog& seen_fog) const;
   void set_intensity(std::uint32_t kind_index, float intensity);
-  void set_effective_intensity(std::uint32_t kind_index, const Fog& seen_fog);
+  void set_source(std::uint32_t kind_index);
   FogLightChanges collect_changes();
 
   double skip_budget_;
-  Fog fog_;
+  Fog fog_;  // at the eye
+  SourceAir source_air_;
   double seconds_ = 0;
   bool has_changed_ = false;  // any light since the last set_fog
   std::vector<Kind> kinds_;   // those without lights are free
   std::vector<FogLightKind> kind_table_;
-  std::vector<float> effective_;  // one a kind
-  bool solves_effective_ = false;
+  std::vector<FogLightSource> sources_;  // one a kind
+  bool solves_sources_ = false;
   std::vector<std::uint32_t> free_kinds_;
   std::unordered_map<KindKey, std::uint32_t, KindKeyHash> kind_of_key_;
   std::vector<Record> records_;
@@ -202,7 +214,7 @@ class FogUpdater::Store {
   Columns columns_;
   RangeList kind_ranges_{sizeof(FogLightKind)};
   RangeList instance_ranges_{sizeof(FogLightInstance)};
-  RangeList effective_ranges_{sizeof(float)};
+  RangeList source_ranges_{sizeof(FogLightSource)};
   FogUpdateStatistics statistics_;
 };
 
@@ -268,26 +280,27 @@ void FogUpdater::Store::remove(FogLightHandle handle) {
   --light_count_;
 }
 
-FogLightChanges FogUpdater::Store::set_fog(const Fog& fog) {
-  require(find_error(fog));
-  const bool is_new_fog = fog != fog_;
-  fog_ = fog;
+FogLightChanges FogUpdater::Store::set_atmosphere(const Atmosphere& atmosphere, double eye_height) {
+  require(find_error(atmosphere));
+  if (std::isnan(eye_height)) require(ValueError{"eye_height", eye_height, "must be a number"});
+  const Fog fog = atmosphere.fog_at(eye_height);
+  const SourceAir source_air{atmosphere.thickest_fog(), mean_cosine(atmosphere.phase)};
+  const bool is_new_fog = std::exchange(fog_, fog) != fog;
+  const bool is_new_air = std::exchange(source_air_, source_air) != source_air && solves_sources_;
   statistics_ = {.kinds_solved = 0,
                  .kinds_skipped = kinds_.size() - free_kinds_.size(),
                  .lights_skipped = light_count_,
                  .bytes_dirty = 0,
-                 .effective_solved = 0};
-  if (!is_new_fog && !has_changed_) return {};
+                 .sources_solved = 0};
+  if (!is_new_fog && !is_new_air && !has_changed_) return {};
   has_changed_ = false;
   std::size_t solved = 0;
   for (std::uint32_t i = 0; i < kinds_.size(); ++i) {
     Kind& kind = kinds_[i];
-    const bool is_due = is_new_fog || kind.has_changed;
-    kind.has_changed = false;
-    if (!is_due || !(kind.is_carried || solves_effective_)) continue;
+    const bool has_changed = std::exchange(kind.has_changed, false);
+    if (solves_sources_ && (has_changed || is_new_air)) set_source(i);
+    if (!kind.is_carried || !(has_changed || is_new_fog)) continue;
     const Fog seen_fog = unchecked::scaled(fog, kind.density_scale);
-    if (solves_effective_) set_effective_intensity(i, seen_fog);
-    if (!kind.is_carried) continue;
     if (kind.lit_count == 0 || is_below_budget(kind, seen_fog)) {
       set_intensity(i, 0);
       continue;
@@ -334,11 +347,11 @@ void FogUpdater::Store::make_room_for_one() {
   instance_ranges_.make_room(records_.capacity());
   make_room(kinds_);
   make_room(kind_table_);
-  make_room(effective_);
+  make_room(sources_);
   free_kinds_.reserve(kinds_.capacity());
   columns_.resize(kinds_.capacity());
   kind_ranges_.make_room(kinds_.capacity());
-  effective_ranges_.make_room(kinds_.capacity());
+  source_ranges_.make_room(kinds_.capacity());
 }
 
 std::uint32_t FogUpdater::Store::add_slot() {
@@ -373,7 +386,7 @@ std::uint32_t FogUpdater::Store::find_or_add_kind(const PlacedLight& placed) {
   if (free_kinds_.empty()) {
     kinds_.push_back(std::move(kind));
     kind_table_.emplace_back();
-    effective_.emplace_back();
+    sources_.emplace_back();
   } else {
     free_kinds_.pop_back();
     kinds_[index] = std::move(kind);
@@ -525,8 +538,8 @@ bool FogUpdater::Store::is_below_budget(const Kind& kind, const Fog& seen_fog) c
   return kind.bound.at(seen_fog) * kind.brightest < skip_budget_;
 }
 
-void FogUpdater::Store::solve_effective_intensities() {
-  solves_effective_ = true;
+void FogUpdater::Store::solve_sources() {
+  solves_sources_ = true;
   has_changed_ = true;
   for (Kind& kind : kinds_) kind.has_changed = true;
 }
@@ -538,23 +551,24 @@ void FogUpdater::Store::set_intensity(std::uint32_t kind_index, float intensity)
   kinds_[kind_index].is_dirty = true;
 }
 
-void FogUpdater::Store::set_effective_intensity(std::uint32_t kind_index, const Fog& seen_fog) {
+void FogUpdater::Store::set_source(std::uint32_t kind_index) {
   Kind& kind = kinds_[kind_index];
-  double effective = 0;
+  FogLightSource source;
   if (kind.lit_count > 0) {
-    effective = unchecked::source_intensity(kind.attenuation, seen_fog);
-    ++statistics_.effective_solved;
+    const Fog seen_fog = unchecked::scaled(source_air_.thickest, kind.density_scale);
+    const auto found = unchecked::point_source(kind.attenuation, seen_fog, source_air_.phase_cosine);
+    source = {.intensity = rounded(found.intensity), .soft_range = rounded(found.soft_range)};
+    ++statistics_.sources_solved;
   }
-  const float rounded = float(std::min(effective, double(std::numeric_limits<float>::max())));
-  if (std::exchange(effective_[kind_index], rounded) != rounded) kind.is_effective_dirty = true;
+  if (std::exchange(sources_[kind_index], source) != source) kind.is_source_dirty = true;
 }
 
 FogLightChanges FogUpdater::Store::collect_changes() {
   kind_ranges_.clear();
-  effective_ranges_.clear();
+  source_ranges_.clear();
   for (std::size_t i = 0; i < kinds_.size(); ++i) {
     if (std::exchange(kinds_[i].is_dirty, false)) kind_ranges_.add(i);
-    if (solves_effective_ && std::exchange(kinds_[i].is_effective_dirty, false)) effective_ranges_.add(i);
+    if (solves_sources_ && std::exchange(kinds_[i].is_source_dirty, false)) source_ranges_.add(i);
   }
   instance_ranges_.clear();
   std::ranges::sort(dirty_slots_);
@@ -563,10 +577,8 @@ FogLightChanges FogUpdater::Store::collect_changes() {
     instance_ranges_.add(slot);
   }
   dirty_slots_.clear();
-  statistics_.bytes_dirty = kind_ranges_.bytes() + instance_ranges_.bytes() + effective_ranges_.bytes();
-  return {.kinds = kind_ranges_.ranges(),
-          .instances = instance_ranges_.ranges(),
-          .effective_intensities = effective_ranges_.ranges()};
+  statistics_.bytes_dirty = kind_ranges_.bytes() + instance_ranges_.bytes() + source_ranges_.bytes();
+  return {.kinds = kind_ranges_.ranges(), .instances = instance_ranges_.ranges(), .sources = source_ranges_.ranges()};
 }
 
 FogUpdater::FogUpdater(double skip_budget_255) : store_(std::make_unique<Store>(skip_budget_255)) {}
@@ -579,11 +591,13 @@ void FogUpdater::change(FogLightHandle handle, const PlacedLight& light) { store
 void FogUpdater::switch_light(FogLightHandle handle, bool is_on) { store_->switch_light(handle, is_on); }
 void FogUpdater::set_time(double seconds) { store_->set_time(seconds); }
 void FogUpdater::remove(FogLightHandle handle) { store_->remove(handle); }
-FogLightChanges FogUpdater::set_fog(const Fog& fog) { return store_->set_fog(fog); }
+FogLightChanges FogUpdater::set_atmosphere(const Atmosphere& atmosphere, double eye_height) {
+  return store_->set_atmosphere(atmosphere, eye_height);
+}
 std::span<const FogLightKind> FogUpdater::kinds() const { return store_->kinds(); }
 std::span<const FogLightInstance> FogUpdater::instances() const { return store_->instances(); }
-void FogUpdater::solve_effective_intensities() { store_->solve_effective_intensities(); }
-std::span<const float> FogUpdater::effective_intensities() const { return store_->effective_intensities(); }
+void FogUpdater::solve_sources() { store_->solve_sources(); }
+std::span<const FogLightSource> FogUpdater::sources() const { return store_->sources(); }
 std::size_t FogUpdater::instance_of(FogLightHandle handle) const { return store_->slot_of(handle); }
 std::size_t FogUpdater::kind_of(FogLightHandle handle) const { return store_->kind_of(handle); }
 double FogUpdater::reach_of_kind(std::size_t kind, const Atmosphere& atmosphere, double step, LampLeg lamp_leg) const {

@@ -126,13 +126,13 @@ static void update(void) {
   EXPECT_OK(litfog_updater_statistics(updater, &statistics));
   EXPECT(statistics.kinds_solved == 1 && statistics.bytes_dirty == sizeof(litfog_fog_light_kind));
 
-  const float* effective;
-  size_t effective_count;
-  EXPECT_OK(litfog_updater_solve_effective_intensities(updater));
+  const litfog_fog_light_source* sources;
+  size_t source_count;
+  EXPECT_OK(litfog_updater_solve_sources(updater));
   EXPECT_OK(litfog_updater_set_fog(updater, &fog, &changes));
-  EXPECT(changes.kind_count == 0 && changes.effective_intensity_count == 1);
-  EXPECT_OK(litfog_updater_effective_intensities(updater, &effective, &effective_count));
-  EXPECT(effective_count == 1 && effective[0] > 0);
+  EXPECT(changes.kind_count == 0 && changes.source_count == 1);
+  EXPECT_OK(litfog_updater_sources(updater, &sources, &source_count));
+  EXPECT(source_count == 1 && sources[0].intensity > 0 && sources[0].soft_range > 0);
 
   size_t instance, kind;
   EXPECT_OK(litfog_updater_instance_of(updater, other, &instance));

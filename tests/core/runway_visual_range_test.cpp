@@ -129,6 +129,71 @@ TEST(RunwayVisualRange, RangeOf550MetresAtNightIsAVisibilityOf155) {
   EXPECT_NEAR(mor(2000, 1e-3), 2000, 1e-9);
 }
 
+/// How litfog's RVR in exp fog of a visibility stands to a published one: their quotient.
+double over_published(double visibility_m, double published_m, const RunwayLights& lights) {
+  return runway_visual_range(Fog::from_visibility(FogMode::exp, visibility_m), lights) / published_m;
+}
+
+TEST(RunwayVisualRange, StandsToARegulatorsConversionFactorsAsThePagesSay) {
+  // UK Regulation (EU) 965/2012, AMC10 CAT.OP.MPA.110, table 8: RVR = factor * reported visibility, for 800 m and more.
+  // It states no candela: those of lights of less than high intensity are litfog's guess.
+  constexpr RunwayLights kHighByDay{10'000, 1e-4}, kHighAtNight{10'000, 8e-7}, kOtherByDay{1000, 1e-4},
+      kOtherAtNight{1000, 8e-7}, kNone{0, 1e-4};
+  struct Row {
+    const char* name;
+    double factor;
+    RunwayLights lights;
+    double least, most;  // of litfog's RVR over the regulator's, for RVR of 800 m up to a visibility of 1500 m
+  };
+  for (const auto& [name, factor, lights, least, most] : {Row{"high intensity by day", 1.5, kHighByDay, 0.77, 1.09},
+                                                          {"high intensity at night", 2, kHighAtNight, 1.15, 1.52},
+                                                          {"other lights by day", 1, kOtherByDay, 1, 1},
+                                                          {"other lights at night", 1.5, kOtherAtNight, 1.15, 1.52},
+                                                          {"no lights by day", 1, kNone, 1, 1}}) {
+    constexpr double kLeastRange = 800, kMostVisibility = 1500, kSame = 1e-14;
+    double smallest = kInfinity, largest = 0;
+    for (double metres = kLeastRange / factor; metres <= kMostVisibility; ++metres) {
+      const double quotient = over_published(metres, factor * metres, lights);
+      smallest = std::min(smallest, quotient);
+      largest = std::max(largest, quotient);
+    }
+    std::printf("%s: litfog's RVR is %.2f to %.2f of the regulator's\n", name, smallest, largest);
+    EXPECT_GE(smallest, least * (1 - kSame)) << name;
+    EXPECT_LE(largest, most * (1 + kSame)) << name;
+    EXPECT_LE(smallest, least * 1.02) << name;  // the pages' figures are no wider than they must be
+    EXPECT_GE(largest, most * 0.98) << name;
+  }
+}
+
+TEST(RunwayVisualRange, RangesOfABrightDayAreTheFaasComparableValues) {
+  constexpr double kFoot = 0.3048, kMile = 1609.344;  // metres
+  // Feet of RVR and statute miles of visibility: 14 CFR 91.175(h), FAA Aeronautical Information Manual, 5-4-20.
+  constexpr std::pair<double, double> kRows[] = {{1600, 0.25},  {2400, 0.5}, {3200, 0.625}, {4000, 0.75},
+                                                 {4500, 0.875}, {5000, 1},   {6000, 1.25}};
+  for (const auto& [feet, miles] : kRows) {
+    const double quotient = over_published(miles * kMile, feet * kFoot, {10'000, 1e-3});
+    EXPECT_TRUE(quotient > 0.98 && quotient < 1.11) << feet << ": " << quotient;
+  }
+}
+
+TEST(RunwayVisualRange, NominalRangeOfASeaLightIsThatOfItsDefinition) {
+  // By night in fog that leaves 0.74 a nautical mile, a visibility of ten, seen from 0.2 microlux, that is 0.686 cd at
+  // a nautical mile (IES, "nominal range of a light signal"). 0.74 is rounded: it is 0.7 % off at most.
+  constexpr double kNauticalMile = 1852, kLeft = 0.74, kLeftError = 0.007;
+  const Fog fog = Fog::from_visibility(FogMode::exp, 10 * kNauticalMile);
+  for (const double miles : {1, 2, 5, 10, 20}) {
+    const auto range = [&](double left) {
+      return runway_visual_range(fog, {0.686 * miles * miles / std::pow(left, miles), 0.2e-6}) / kNauticalMile;
+    };
+    if (miles < 10) {  // where markings are seen farther
+      EXPECT_EQ(range(kLeft), 10) << miles;
+      continue;
+    }
+    EXPECT_LE(range(kLeft * (1 + kLeftError)), miles);
+    EXPECT_GE(range(kLeft * (1 - kLeftError)), miles);
+  }
+}
+
 TEST(RunwayVisualRange, ThickerFogAndDimmerLampsShortenIt) {
   for (const FogMode mode : kModes) {
     double last = kInfinity;

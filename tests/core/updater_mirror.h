@@ -43,9 +43,10 @@ inline float intensity_of(const PlacedLight& light, const Fog& fog) {
   return expected_kind(light, solve_fog_intensity(light.light, fog).intensity).cone_scale_intensity.w;
 }
 
-inline float effective_intensity_of(const PlacedLight& light, const Fog& fog) {
+inline FogLightSource source_of(const PlacedLight& light, const Atmosphere& air) {
   constexpr double kLargest = std::numeric_limits<float>::max();
-  return float(std::min(source_intensity(light.light, {.fog = fog}), kLargest));
+  const ScatteringSource source = scattering_source(light.light, air);
+  return {float(std::min(source.intensity, kLargest)), float(std::min(source.soft_range, kLargest))};
 }
 
 inline float brightness_of(const PlacedLight& light, bool is_on) {
@@ -133,14 +134,16 @@ class Mirror {
     lights.pop_back();
   }
 
-  void set_fog(const Fog& fog) {
-    const FogLightChanges changes = updater.set_fog(fog);
+  void set_fog(const Fog& fog) { set_atmosphere({.fog = fog}, 0); }
+
+  void set_atmosphere(const Atmosphere& air, double eye_height) {
+    const FogLightChanges changes = updater.set_atmosphere(air, eye_height);
     ASSERT_NO_FATAL_FAILURE(kinds_.upload(updater.kinds(), changes.kinds));
     ASSERT_NO_FATAL_FAILURE(instances_.upload(updater.instances(), changes.instances));
-    ASSERT_NO_FATAL_FAILURE(effective_.upload(updater.effective_intensities(), changes.effective_intensities));
-    ASSERT_EQ(updater.statistics().bytes_dirty, kinds_.bytes + instances_.bytes + effective_.bytes);
+    ASSERT_NO_FATAL_FAILURE(sources_.upload(updater.sources(), changes.sources));
+    ASSERT_EQ(updater.statistics().bytes_dirty, kinds_.bytes + instances_.bytes + sources_.bytes);
     ASSERT_NO_FATAL_FAILURE(check_instances());
-    ASSERT_NO_FATAL_FAILURE(check_kinds(fog));
+    ASSERT_NO_FATAL_FAILURE(check_kinds(air, air.fog_at(eye_height)));
   }
 
   FogUpdater updater;
@@ -164,7 +167,7 @@ class Mirror {
     }
   }
 
-  void check_kinds(const Fog& fog) {
+  void check_kinds(const Atmosphere& air, const Fog& fog) {
     struct Expected {
       const PlacedLight* light = nullptr;
       float brightness = 0;  // the largest
@@ -178,13 +181,13 @@ class Mirror {
       ASSERT_TRUE(are_of_one_kind(*kind.light, held.light));
       kind.brightness = std::max(kind.brightness, brightness_of(held.light, held.is_on));
     }
-    ASSERT_TRUE(effective_.entries().empty() || effective_.entries().size() == expected.size());
+    ASSERT_TRUE(sources_.entries().empty() || sources_.entries().size() == expected.size());
     std::vector<const PlacedLight*> found;
     for (std::size_t i = 0; i < expected.size(); ++i) {
       const auto& [light, brightness] = expected[i];
       FogLightKind stored = kinds_.entries()[i];
-      if (!effective_.entries().empty()) {
-        ASSERT_EQ(effective_.entries()[i], brightness > 0 ? effective_intensity_of(*light, fog) : 0) << "kind " << i;
+      if (!sources_.entries().empty()) {
+        ASSERT_EQ(sources_.entries()[i], brightness > 0 ? source_of(*light, air) : FogLightSource{}) << "kind " << i;
       }
       if (!light) {
         ASSERT_TRUE(is_same(stored, FogLightKind{})) << "kind " << i;
@@ -210,7 +213,7 @@ class Mirror {
   double seconds_ = 0;
   UploadedTable<FogLightKind> kinds_;
   UploadedTable<FogLightInstance> instances_;
-  UploadedTable<float> effective_;
+  UploadedTable<FogLightSource> sources_;
 };
 
 /// A light of one of some kinds, two of their attenuations corners, with one of few colours, or of a kind of its own.
@@ -235,13 +238,24 @@ inline Fog draw_fog(Random& random, const Fog& last) {
   return {random.pick(kModes), random.log_uniform(1e-7, 1)};
 }
 
-/// Random calls; set_fog is one in calls_per_fog.
+/// Air of a fog, half of it with a layer and droplets.
+inline Atmosphere draw_air(Random& random, const Fog& fog) {
+  Atmosphere air{.fog = fog};
+  if (fog.mode == FogMode::exp2 || random.chance(0.5)) return air;
+  const FogLayer layer{
+      .base = 0, .top = random.uniform(5, 50), .transition = 10, .visibility = random.log_uniform(10, 1e4)};
+  air.profile = make_density_profile(std::span(&layer, 1));
+  air.phase = random.pick(std::array{Phase{}, Phase::droplets(10)});
+  return air;
+}
+
+/// Random calls; set_atmosphere is one in calls_per_fog.
 inline void run_random_calls(Mirror& mirror, Random& random, int calls, double calls_per_fog, double removed_fraction) {
   Fog fog;
   for (int call = 0; call < calls; ++call) {
     if (random.chance(1 / calls_per_fog)) {
       fog = draw_fog(random, fog);
-      ASSERT_NO_FATAL_FAILURE(mirror.set_fog(fog));
+      ASSERT_NO_FATAL_FAILURE(mirror.set_atmosphere(draw_air(random, fog), random.uniform(-10, 70)));
     }
     if (random.chance(0.1)) mirror.set_time(random.uniform(0, 100));
     if (mirror.lights.empty() || random.chance(0.4)) {

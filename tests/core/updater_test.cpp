@@ -44,7 +44,7 @@ TEST(FogUpdater, CallersBufferStaysRightThroughAnyCalls) {
     for (int sequence = 0; sequence < 60; ++sequence) {
       Mirror mirror(budget);
       if (sequence % 3 == 1) run_random_calls(mirror, random, 100, 3, 0.3);
-      if (sequence % 3 > 0) mirror.updater.solve_effective_intensities();
+      if (sequence % 3 > 0) mirror.updater.solve_sources();
       run_random_calls(mirror, random, 400, 3, random.pick(std::array{0.3, 0.6, 0.9}));
       if (HasFatalFailure()) return;
       if (budget == 0) {
@@ -127,33 +127,42 @@ TEST(FogUpdater, ChangeOfTheFogIsAChangeOfKindsAlone) {
   EXPECT_TRUE(changes.instances.empty());
 }
 
-TEST(FogUpdater, ChangeOfTheLayersIsAChangeOfKindsAloneAndOneOfThePhaseOfTheHeaderAlone) {
-  FogUpdater updater;
-  for (int i = 0; i < 1000; ++i) updater.add(carried_light({1, 0.1 * (1 + i % 3), 0.01}));
-  const auto layers = [](double top) {
-    const FogLayer layer{.top = top, .transition = 10, .visibility = 150};
-    return make_density_profile(std::span(&layer, 1));
-  };
-  constexpr double kEye = 105;
-  Atmosphere air{.fog = {FogMode::exp, 1e-4}, .profile = layers(100)};
-  updater.set_fog(air.fog_at(kEye));
-  air.profile = layers(102);
-  const FogLightChanges changes = updater.set_fog(air.fog_at(kEye));
-  ASSERT_EQ(changes.kinds.size(), 1u);
-  EXPECT_EQ(changes.kinds[0], (EntryRange{0, 3}));
-  EXPECT_TRUE(changes.instances.empty());
-  EXPECT_EQ(updater.statistics().kinds_solved, 3u);
-  EXPECT_EQ(updater.statistics().bytes_dirty, 3 * sizeof(FogLightKind));
-
-  const FogHeader before = pack_fog_header(air, 0);
-  air.phase = Phase::droplets(20);
-  EXPECT_TRUE(updater.set_fog(air.fog_at(kEye)).empty());
-  EXPECT_EQ(updater.statistics().kinds_solved, 0u);
-  EXPECT_EQ(updater.statistics().bytes_dirty, 0u);
-  EXPECT_NE(pack_fog_header(air, 0).phase_lobes, before.phase_lobes);
+Atmosphere air_of_layer(double top) {
+  const FogLayer layer{.top = top, .transition = 10, .visibility = 150};
+  return {.fog = {FogMode::exp, 1e-4}, .profile = make_density_profile(std::span(&layer, 1))};
 }
 
-TEST(FogUpdater, EffectiveIntensityIsSolvedOnceAKindWhenTheFogChangesAndNeverAFrame) {
+std::vector<EntryRange> list(std::span<const EntryRange> ranges) { return {ranges.begin(), ranges.end()}; }
+
+TEST(FogUpdater, ChangeOfLayersIsAChangeOfKindsAndOneOfThePhaseOfSourcesAlone) {
+  FogUpdater updater;
+  updater.solve_sources();
+  for (int i = 0; i < 1000; ++i) updater.add(carried_light({1, 0.1 * (1 + i % 3), 0.01}));
+  constexpr double kEye = 105;
+  const std::vector<EntryRange> all{{0, 3}}, none;
+  updater.set_atmosphere(air_of_layer(100), kEye);
+  Atmosphere air = air_of_layer(102);  // more fog at the eye, and the same where it is densest
+  FogLightChanges changes = updater.set_atmosphere(air, kEye);
+  EXPECT_EQ(list(changes.kinds), all);
+  EXPECT_TRUE(changes.instances.empty() && changes.sources.empty());
+  EXPECT_EQ(updater.statistics().kinds_solved, 3u);
+  EXPECT_EQ(updater.statistics().sources_solved, 0u);
+  EXPECT_EQ(updater.statistics().bytes_dirty, 3 * sizeof(FogLightKind));
+
+  EXPECT_TRUE(updater.set_atmosphere(air, kEye).empty());
+  EXPECT_EQ(list(updater.set_atmosphere(air, kEye - 1).kinds), all) << "the eye sinks into the layer";
+  EXPECT_EQ(updater.kinds()[0].cone_scale_intensity.w,
+            intensity_of(carried_light({1, 0.1, 0.01}), air.fog_at(kEye - 1)));
+
+  air.phase = Phase::droplets(20);
+  changes = updater.set_atmosphere(air, kEye - 1);
+  EXPECT_TRUE(changes.kinds.empty() && changes.instances.empty());
+  EXPECT_EQ(list(changes.sources), all);
+  EXPECT_EQ(updater.statistics().kinds_solved, 0u);
+  EXPECT_EQ(updater.statistics().sources_solved, 3u);
+}
+
+TEST(FogUpdater, SourceIsSolvedOnceAKindWhenTheAirChangesAndNeverAFrame) {
   FogUpdater updater;
   std::vector<PlacedLight> lights;
   for (int i = 0; i < 1000; ++i) {
@@ -164,32 +173,37 @@ TEST(FogUpdater, EffectiveIntensityIsSolvedOnceAKindWhenTheFogChangesAndNeverAFr
     lights.push_back(light);
   }
   updater.set_fog(kMist);
-  EXPECT_TRUE(updater.effective_intensities().empty()) << "nobody has asked";
-  EXPECT_EQ(updater.statistics().effective_solved, 0u);
+  EXPECT_TRUE(updater.sources().empty()) << "nobody has asked";
+  EXPECT_EQ(updater.statistics().sources_solved, 0u);
 
-  updater.solve_effective_intensities();
+  updater.solve_sources();
   const FogLightChanges first = updater.set_fog(kMist);
   EXPECT_TRUE(first.kinds.empty() && first.instances.empty());
-  EXPECT_EQ(updater.statistics().effective_solved, 6u);
-  EXPECT_EQ(updater.statistics().bytes_dirty, 6 * sizeof(float));
+  EXPECT_EQ(updater.statistics().sources_solved, 6u);
+  EXPECT_EQ(updater.statistics().bytes_dirty, 6 * sizeof(FogLightSource));
 
   const Fog thicker{FogMode::exp, 0.02};
   const FogLightChanges changes = updater.set_fog(thicker);
-  ASSERT_EQ(changes.effective_intensities.size(), 1u);
-  EXPECT_EQ(changes.effective_intensities[0], (EntryRange{0, 6}));
+  EXPECT_EQ(list(changes.sources), (std::vector<EntryRange>{{0, 6}}));
   EXPECT_TRUE(changes.instances.empty());
   EXPECT_EQ(updater.statistics().kinds_solved, 3u) << "those carried";
-  EXPECT_EQ(updater.statistics().effective_solved, 6u);
-  for (std::size_t i = 0; i < lights.size(); ++i) {
-    const std::size_t kind = std::size_t(updater.instances()[i].position_kind.w);
-    ASSERT_EQ(updater.effective_intensities()[kind], effective_intensity_of(lights[i], thicker));
+  EXPECT_EQ(updater.statistics().sources_solved, 6u);
+  Atmosphere layered = air_of_layer(100);
+  layered.phase = Phase::droplets(10);
+  for (const Atmosphere& air : {Atmosphere{.fog = thicker}, layered}) {
+    updater.set_atmosphere(air, 300);  // above all layers
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      const auto kind = std::size_t(updater.instances()[i].position_kind.w);
+      ASSERT_EQ(updater.sources()[kind], source_of(lights[i], air));
+      ASSERT_GT(updater.sources()[kind].soft_range, 0);
+    }
   }
 
   updater.set_time(0.7);
-  EXPECT_TRUE(updater.set_fog(thicker).effective_intensities.empty());
-  EXPECT_EQ(updater.statistics().effective_solved, 0u) << "of a flash";
+  EXPECT_TRUE(updater.set_atmosphere(layered, 300).sources.empty());
+  EXPECT_EQ(updater.statistics().sources_solved, 0u) << "of a flash";
   updater.set_fog({FogMode::exp2, 0.02});
-  for (const float intensity : updater.effective_intensities()) EXPECT_EQ(intensity, 0);
+  for (const FogLightSource& source : updater.sources()) EXPECT_EQ(source, FogLightSource{});
 }
 
 TEST(FogUpdater, KindsDifferByEverythingButColorPositionAndDirection) {
@@ -494,7 +508,7 @@ TEST(FogUpdater, SetFogAllocatesNothing) {
   const std::size_t before = allocation_count();
   Fog fog;
   for (int step = 0; step < 200; ++step) {
-    if (step == 100) updater.solve_effective_intensities();
+    if (step == 100) updater.solve_sources();
     fog = draw_fog(random, fog);
     updater.set_fog(fog);
     for (int i = 0; i < 10; ++i) updater.switch_light(random.pick(handles), random.chance(0.5));
@@ -640,6 +654,8 @@ TEST(FogUpdater, WrongArgumentIsAnErrorAndChangesNothing) {
   EXPECT_EQ(error_of([&] { updater.add(short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
   EXPECT_EQ(error_of([&] { updater.change(handle, short_axis); }), "direction = 0.5: length must be 1 within 1e-6");
   EXPECT_EQ(error_of([&] { updater.set_fog({FogMode::exp, -1}); }), "fog.density = -1: must be >= 0");
+  EXPECT_EQ(error_of([&] { updater.set_atmosphere({.albedo = 2}); }), "albedo = 2: must be in [0, 1]");
+  EXPECT_EQ(error_of([&] { updater.set_atmosphere({}, kNan); }), "eye_height = nan: must be a number");
   EXPECT_TRUE(updater.set_fog(kMist).empty());
   EXPECT_TRUE(is_same(updater.instances()[0], before));
   EXPECT_EQ(updater.kinds().size(), 1u);

@@ -32,14 +32,14 @@ def atmosphere(version, order, visibility):
     return struct.pack(order + "HHBBH", 32, 9, 0x80 | 30, 0, 0) + fields  # size, id, enabled and humidity, reserved
 
 
-def weather(version, order, layer, scope, enabled, visibility, base=0, thickness=200):
+def weather(version, order, layer, scope, enabled, visibility, base=0, thickness=200, upper=10):
     # temperature, visibility, scud frequency, coverage, base, thickness, transition, wind (3), pressure, aerosol
     fields = struct.pack(order + "12f", 15, visibility, 0, 100, base, thickness, 10, 0, 0, 0, 1013, 0)
     flags = bytes([layer, 30, int(enabled), scope])
     if version == 3:  # id, size, region
         return struct.pack(order + "BBH", 12, 56, 0) + flags + fields
     # size, id; region, reserved; top scud frequency, top transition, reserved
-    top = struct.pack(order + "fff", 0, 10, 0)
+    top = struct.pack(order + "fff", 0, upper, 0)
     return struct.pack(order + "HH", 72, 11) + flags + struct.pack(order + "HH", 0, 0) + fields + top
 
 
@@ -66,23 +66,27 @@ def density_of(visibility):
 
 
 # A visibility, layers with it, and clear again, in both versions and both byte orders. The eye is 3 m up.
-datagrams, seen = [], []  # seen: density at the eye and knots, or None where nothing changes
+datagrams, seen = [], []  # seen: density at the eye, knots and what is ignored, or None where nothing changes
 for version in (3, 4):
     for order in "<>":
         start = lambda: ig_control(version, order, len(datagrams) + 0x01020300)
         ground = lambda *state: weather(version, order, *state)
         unknown = struct.pack("BB", 200, 8) if version == 3 else struct.pack(order + "HHH", 8, 0x2000, 0)
         unknown = unknown.ljust(8, b"\0")
+        band = "the width of the upper band of layer 2" if version == 4 else ""
         for extra, expected in (
-            (unknown + atmosphere(version, order, 1500), (density_of(1500), 0)),
-            (ground(0, 0, True, 200), (density_of(1500) + density_of(200), 2)),
+            (unknown + atmosphere(version, order, 1500), (density_of(1500), 0, "")),
+            (ground(0, 0, True, 200), (density_of(1500) + density_of(200), 2, "")),
             (ground(4, 0, True, 10) + ground(0, 1, True, 10), None),  # rain, a region: not the fog of the scene
-            (atmosphere(version, order, 150), (density_of(150) + density_of(200), 2)),
-            (ground(1, 0, True, 50, 300, 100), (density_of(150) + density_of(200), 6)),  # a cloud above
-            (ground(2, 0, True, 50, 800, 100), None),  # one too many: the farther is left out
-            (ground(0, 0, True, 200, -20, 18), (density_of(150) + density_of(200) / 2, 6)),  # halfway out of it
-            (ground(0, 0, False, 10) + atmosphere(version, order, math.inf), (0, 8)),  # room for both clouds
-            (ground(1, 0, False, 0) + ground(2, 0, False, 0) + atmosphere(version, order, 0), (math.inf, 0)),
+            (atmosphere(version, order, 150), (density_of(150) + density_of(200), 2, "")),
+            (ground(1, 0, True, 50, 300, 100), (density_of(150) + density_of(200), 6, "")),  # a cloud above
+            (ground(2, 0, True, 50, 800, 100), (density_of(150) + density_of(200), 6, "layer 2")),  # one too many
+            (ground(3, 0, True, 50, 600, 100), (density_of(150) + density_of(200), 6, "layer 3, layer 2")),
+            (ground(3, 0, False, 0), (density_of(150) + density_of(200), 6, "layer 2")),
+            (ground(0, 0, True, 200, -20, 18), (density_of(150) + density_of(200) / 2, 6, "layer 2")),  # half out of it
+            (ground(0, 0, False, 10) + atmosphere(version, order, math.inf), (0, 8, "")),  # room for both clouds
+            (ground(2, 0, True, 50, 800, 100, 25), (0, 8, band) if band else None),
+            (ground(1, 0, False, 0) + ground(2, 0, False, 0) + atmosphere(version, order, 0), (math.inf, 0, "")),
         ):
             datagrams.append(start() + extra)
             seen.append(expected)
@@ -92,9 +96,10 @@ for datagram in datagrams:
 lines = ig.lines()
 expected = [(i, *v) for i, v in enumerate(seen) if v is not None]
 assert len(lines) == len(expected) + 1, lines
-reported = r"frame (\d+), CIGI (\d): density (\S+)/m at the eye, (\d) knots, \d+ bytes of lights to upload$"
-for line, (i, wanted, knots) in zip(lines, expected):
-    frame, version, density, count = re.match(reported, line).groups()
+reported = r"frame (\d+), CIGI (\d): density (\S+)/m at the eye, (\d) knots, \d+ bytes of lights to upload(?:; ignored: (.+))?$"
+for line, (i, wanted, knots, ignored) in zip(lines, expected):
+    frame, version, density, count, told = re.match(reported, line).groups()
+    assert (told or "") == ignored, line
     assert (int(frame), int(version)) == (0x01020300 + i, 3 if i < len(datagrams) / 2 else 4), line
     assert math.isclose(float(density), wanted, rel_tol=1e-5) and int(count) == knots, line
 assert lines[-1].startswith(f"{len(datagrams)} datagrams, 0 refused"), lines[-1]

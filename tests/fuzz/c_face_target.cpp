@@ -251,10 +251,10 @@ void call_handles(Random& random, Draw& draw) {
           is_ok(litfog_updater_set_time(updater, draw.size()));
           break;
         case 6: {
-          const litfog_fog fog = draw.fog();
+          const litfog_atmosphere air = draw.atmosphere();
           litfog_fog_light_changes changes;
           litfog_fog_light_tables tables;
-          if (!is_ok(litfog_updater_set_fog(updater, &fog, &changes))) break;
+          if (!is_ok(litfog_updater_set_atmosphere(updater, &air, draw.number(0.1), &changes))) break;
           EXPECT_TRUE(is_ok(litfog_updater_tables(updater, &tables)));
           for (std::size_t i = 0; i < changes.instance_count; ++i) {
             EXPECT_LE(changes.instances[i].end, tables.instance_count);

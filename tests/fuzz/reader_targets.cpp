@@ -7,6 +7,7 @@
 #include "fuzz/fuzz_target.h"
 #include "litfog/files/light_file.h"
 #include "litfog/files/light_spec_file.h"
+#include "litfog/files/phase_name.h"
 #include "litfog/photometry/cookie_file.h"
 #include "litfog/photometry/eulumdat.h"
 #include "litfog/photometry/gldf.h"
@@ -77,6 +78,14 @@ std::vector<std::string> cookie_seeds() {
   return {format_cookie(cookie)};
 }
 
+void read_phase(std::string_view bytes) {
+  if (const auto phase = files::phase_named(bytes)) EXPECT_FALSE(find_error(*phase));
+}
+
+std::vector<std::string> phase_seeds() {
+  return {"isotropic", "rayleigh", "hg:0.8", "droplets:10", "draine:0.5,1e+3", "0.7*hg:0.8+0.3*hg:-0.2"};
+}
+
 template <Luminaire (*parse)(std::string, const std::string&)>
 void read_photometry(std::string_view bytes) {
   expect_read_or_fail(std::string(bytes), [](const std::string& text) { return parse(text, "lamp"); });
@@ -119,6 +128,7 @@ const AddFuzzTargets kAdd{
     {"light", read_light, {kData + "/lights"}},
     {"spec", read_spec, {kData + "/specs"}},
     {"cookie", read_cookie, {}, cookie_seeds},
+    {"phase", read_phase, {}, phase_seeds},
     {"isocandela", read_photometry<parse_isocandela>, {LITFOG_PHOTOMETRY_DIR, kData + "/photometry"}},
     {"ies", read_photometry<parse_ies>, {LITFOG_PHOTOMETRY_DIR}},
     {"eulumdat", read_photometry<parse_eulumdat>, {LITFOG_PHOTOMETRY_DIR}},

@@ -207,7 +207,7 @@ class SolveTest(unittest.TestCase):
         self.assertEqual(repr(fit), f"<litfog.AttenuationFit: attenuation={fit.attenuation}, threshold=0.05, "
                                     "status=litfog.AttenuationFitStatus.optimal, rms_error=0.0, largest_error=0.0>")  # fmt: skip
         changes = litfog.FogUpdater().set_fog(litfog.Fog())
-        self.assertEqual(repr(changes), "<litfog.FogLightChanges: kinds=[], instances=[], effective_intensities=[]>")
+        self.assertEqual(repr(changes), "<litfog.FogLightChanges: kinds=[], instances=[], sources=[]>")
         cone = litfog.fit_cone(angles=[0, 0.1, 0.2], intensities=[3, 2, 1])
         self.assertIn(f"profiles={cone.profiles}, best_index={cone.best_index}>", repr(cone))
 
@@ -543,15 +543,32 @@ class BatchTest(unittest.TestCase):
 
 
 class RuleTest(unittest.TestCase):
+    def test_records_are_not_made_of_values_that_break_their_rule(self):
+        for record, members, sentence in (
+            (litfog.Attenuation, {"constant": -1}, "attenuation.constant = -1: must be finite and >= 0"),
+            (litfog.Fog, {"density": -1}, "fog.density = -1: must be >= 0"),
+            (litfog.FogLayer, {"base": 4, "top": 3}, "top = 3: must be above the base"),
+            (litfog.Phase, {"first": litfog.PhaseLobe(2)}, "asymmetry = 2: must be in (-1, 1)"),
+            (litfog.Phase, {"weight": 2}, "weight = 2: must be in [0, 1]"),
+            (litfog.Atmosphere, {"albedo": 2}, "albedo = 2: must be in [0, 1]"),
+            (litfog.Light, {"threshold": 1}, "threshold = 1: must be in (0, 1)"),
+            (litfog.PlacedLight, {"light": litfog.Light(), "direction": (0, 2, 0)}, "direction = 2: length must be 1 within 1e-6"),
+        ):  # fmt: skip
+            with self.assertRaises(ValueError) as raised:
+                record(**members)
+            self.assertEqual(str(raised.exception), sentence)
+
     def test_values_that_break_their_rule_are_refused_where_cpp_leaves_them_to_the_caller(self):
         fog, attenuation, cone = litfog.Fog(density=0.01), litfog.Attenuation(1, 0, 0.01), litfog.Cone.cosine(0.5, 2)
         flat = litfog.Cone.cosine(0, 2)
+        wrong_fog, wrong_attenuation, wrong_light = litfog.Fog(), litfog.Attenuation(), litfog.Light()
+        wrong_fog.density, wrong_attenuation.constant, wrong_light.threshold = -1, -1, 7
         for call, arguments, sentence in (
-            (litfog.attenuation_at, (litfog.Attenuation(-1), 5), "attenuation.constant = -1: must be finite and >= 0"),
+            (litfog.attenuation_at, (wrong_attenuation, 5), "attenuation.constant = -1: must be finite and >= 0"),
             (litfog.attenuation_at, (attenuation, [1, -5]), "range = -5: must be >= 0"),
-            (litfog.fog_factor_at, (litfog.Fog(density=-1), 5), "fog.density = -1: must be >= 0"),
+            (litfog.fog_factor_at, (wrong_fog, 5), "fog.density = -1: must be >= 0"),
             (litfog.fog_factor_at, (fog, math.nan), "range = nan: must be >= 0"),
-            (litfog.opacity_at, (litfog.Fog(density=-1), 5), "fog.density = -1: must be >= 0"),
+            (litfog.opacity_at, (wrong_fog, 5), "fog.density = -1: must be >= 0"),
             (litfog.opacity_at, (fog, -1), "range = -1: must be >= 0"),
             (litfog.cone_at, (flat, 1), "cone.half_angle = 0: must be in (0, pi/2]"),
             (litfog.cone_at, (cone, [1, 2]), "cos_angle = 2: must be in [-1, 1]"),
@@ -559,7 +576,7 @@ class RuleTest(unittest.TestCase):
             (litfog.flux_within, (cone, 4), "angle = 4: must be in [0, pi]"),
             (litfog.angle_at_level, (flat, 0.5), "cone.half_angle = 0: must be in (0, pi/2]"),
             (litfog.angle_at_level, (cone, 1), "level = 1: must be in (0, 1)"),
-            (litfog.format_light, (litfog.Light(threshold=7),), "threshold = 7: must be in (0, 1)"),
+            (litfog.format_light, (wrong_light,), "threshold = 7: must be in (0, 1)"),
         ):
             with self.subTest(call=call.__name__, sentence=sentence), self.assertRaises(ValueError) as raised:
                 call(*arguments)
@@ -594,7 +611,8 @@ class LayersTest(unittest.TestCase):
             litfog.DensityProfile.from_layers([litfog.FogLayer(base=4, top=3, visibility=10)])
         with self.assertRaisesRegex(ValueError, r"^profile\.knots\[1\]\.height = 1: must be above the knot before$"):
             litfog.DensityProfile([(1, 0), (1, 1)])
-        air = litfog.Atmosphere(litfog.Fog(litfog.FogMode.exp2), profile=litfog.DensityProfile([(1, 0)]))
+        air = litfog.Atmosphere(litfog.Fog(litfog.FogMode.exp2))
+        air.profile = litfog.DensityProfile([(1, 0)])
         with self.assertRaisesRegex(ValueError, "^profile.count = 1: must be 0 in exp2 fog$"):
             air.fog_between(0, 1)
 
@@ -763,20 +781,27 @@ class UpdaterTest(unittest.TestCase):
         changes = updater.set_fog(thicker)
         self.assertEqual(list(instances[changes.instances[0]][0]["color"][:3]), [0, 0, 0])
 
-    def test_effective_intensities_are_solved_where_asked_for(self):
+    def test_sources_are_solved_where_asked_for(self):
         updater = litfog.FogUpdater()
         handle = updater.add(litfog.PlacedLight(self.lamp))
         fog = litfog.Fog(density=0.003)
-        self.assertEqual(updater.set_fog(fog).effective_intensities, [])
-        self.assertEqual(updater.effective_intensities.shape, (0,))
-        updater.solve_effective_intensities()
+        self.assertEqual(updater.set_fog(fog).sources, [])
+        self.assertEqual(updater.sources.shape, (0,))
+        updater.solve_sources()
         changes = updater.set_fog(fog)
-        self.assertEqual((changes.kinds, changes.effective_intensities), ([], [slice(0, 1, 1)]))
-        solved = updater.effective_intensities
-        self.assertFalse(solved.flags.writeable)
-        self.assertEqual(solved[updater.kind_of(handle)],
-                         np.float32(litfog.effective_intensity(self.lamp.attenuation, fog.density)))  # fmt: skip
-        self.assertEqual((updater.statistics.effective_solved, updater.statistics.bytes_dirty), (1, 4))
+        self.assertEqual((changes.kinds, changes.sources), ([], [slice(0, 1, 1)]))
+        self.assertEqual((updater.statistics.sources_solved, updater.statistics.bytes_dirty), (1, 8))
+        layer = litfog.FogLayer(base=0, top=10, transition=5, visibility=150)
+        profile = litfog.DensityProfile.from_layers([layer])
+        air = litfog.Atmosphere(fog, litfog.Phase.droplets(10), profile=profile)
+        self.assertEqual(updater.set_atmosphere(air, eye_height=100).sources, [slice(0, 1, 1)])
+        solved = updater.sources
+        self.assertEqual((solved.dtype, solved.flags.writeable), (litfog.FOG_LIGHT_SOURCE, False))
+        beams = litfog.make_thin_beams(air, litfog.make_scattering_table(air))
+        found, expected = solved[updater.kind_of(handle)], litfog.scattering_source(self.lamp, air, beams)
+        self.assertEqual(tuple(found), (np.float32(expected.intensity), np.float32(expected.soft_range)))
+        with self.assertRaisesRegex(ValueError, "^eye_height = nan: must be a number$"):
+            updater.set_atmosphere(air, math.nan)
 
     def test_lights_flash_by_the_time(self):
         flash = litfog.Flash(2, [(0.5, 0.25, 5)])

@@ -82,6 +82,10 @@ double largest(const std::vector<double>& changes) {
   return largest;
 }
 
+RenderSettings lit_by(FogLighting lighting, Scattering scattering = Scattering::all) {
+  return {.fog_lighting = lighting, .scattering = scattering};
+}
+
 class SkippingTest : public test::GlTest {};
 
 TEST_F(SkippingTest, NoPixelOfAnySceneChangesByAStepInAnyFog) {
@@ -94,7 +98,7 @@ TEST_F(SkippingTest, NoPixelOfAnySceneChangesByAStepInAnyFog) {
     const Scene scene = read_scene(bundled_scene_path(name));
     const bool is_large = scene.lights.size() > 100;  // every pixel of the whole picture is lit by all of them
     for (const FogLighting lighting : {FogLighting::airlight, FogLighting::peak}) {
-      Pair pair(scene, {.fog_lighting = lighting}, is_large ? 24 : kWidth, is_large ? 14 : kHeight);
+      Pair pair(scene, lit_by(lighting), is_large ? 24 : kWidth, is_large ? 14 : kHeight);
       for (const auto& [mode, visibility] : {Weather{FogMode::exp, kClear},
                                              {FogMode::exp2, 400},
                                              {FogMode::exp, 120},
@@ -164,8 +168,9 @@ TEST_F(SkippingTest, NoPixelOfAnyPathOrProgramChangesByAStep) {
 
 TEST_F(SkippingTest, NoPixelChangesByAStepInLayersAboveAroundAndBelowTheEye) {
   Scene scene = road();
-  for (const FogLighting lighting : {FogLighting::airlight, FogLighting::peak}) {
-    Pair pair(scene, {.fog_lighting = lighting});
+  for (const RenderSettings& settings :
+       {lit_by(FogLighting::airlight), lit_by(FogLighting::airlight, Scattering::single), lit_by(FogLighting::peak)}) {
+    Pair pair(scene, settings);
     for (const double haze : {0.0, 0.01}) {
       for (const FogLayer& layer : {FogLayer{.top = 1, .transition = 0.5, .visibility = 15},
                                     FogLayer{.top = 2, .transition = 1, .visibility = 15},
@@ -182,7 +187,7 @@ TEST_F(SkippingTest, NoPixelChangesByAStepInLayersAboveAroundAndBelowTheEye) {
 TEST_F(SkippingTest, SkippingPopsNowhereAlongAFlight) {
   Scene scene = read_scene(bundled_scene_path("city"), 60);
   for (const FogLighting lighting : {FogLighting::airlight, FogLighting::peak}) {
-    Pair pair(scene, {.fog_lighting = lighting}, 32, 18);
+    Pair pair(scene, lit_by(lighting), 32, 18);
     pair.set_fog(Fog::from_visibility(FogMode::exp, 70));
     std::vector<double> before;
     const glm::vec3 start = scene.camera.position;
@@ -200,7 +205,7 @@ TEST_F(SkippingTest, SkippingPopsNowhereAlongAFlight) {
 
 TEST_F(SkippingTest, ExposureOfThePictureDecidesWhatIsVisible) {
   const Scene scene = read_scene(bundled_scene_path("street"));
-  Pair pair(scene, {.fog_lighting = FogLighting::airlight});
+  Pair pair(scene, lit_by(FogLighting::airlight));
   std::size_t hidden_before = 0;
   for (const double exposure : {10.0, 5.0, -5.0}) {
     pair.set_fog(Fog::from_visibility(FogMode::exp, 30));
@@ -310,7 +315,7 @@ TEST_F(HiddenWall, WallThatIsBrightWithoutLampsIsDrawn) {
   scene_.environment = dark;
   scene_.environment.moon_direction = {0, 0, 1};
   scene_.environment.moon_color = bright;  // its light alone: in the sky it is as bright as ever
-  expect_drawn(SkyDrawing::fog);  // which it may light
+  expect_drawn(SkyDrawing::fog);           // which it may light
   scene_.environment = dark;
   scene_.materials.front().emissive = bright;
   expect_drawn(SkyDrawing::background);

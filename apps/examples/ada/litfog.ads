@@ -85,8 +85,8 @@ package Litfog is
       Kind_Count     : size_t := 0;
       Instances      : access constant Entry_Ranges;
       Instance_Count : size_t := 0;
-      Effective_Intensities     : access constant Entry_Ranges;
-      Effective_Intensity_Count : size_t := 0;
+      Sources        : access constant Entry_Ranges;
+      Source_Count   : size_t := 0;
    end record with Convention => C;
    type Fog_Light_Kind is record
       Attenuation_Extent, Cone_Scale_Intensity : Vector4;
@@ -104,7 +104,7 @@ package Litfog is
    end record with Convention => C;
 
    type Fog_Update_Statistics is record
-      Kinds_Solved, Kinds_Skipped, Lights_Skipped, Bytes_Dirty, Effective_Solved : size_t := 0;
+      Kinds_Solved, Kinds_Skipped, Lights_Skipped, Bytes_Dirty, Sources_Solved : size_t := 0;
    end record with Convention => C;
 
    function Create (Skip_Budget_255 : Real; Result : out Updater) return Status

@@ -29,7 +29,8 @@
 //                          transition band @32                     lower transition band @36, upper @64
 //
 // A layer's visibility is taken as that within it alone, so that densities add up; ground fog as fog without a base. A
-// layer has one width for both of its transition bands, the lower one's, or of ground fog the upper one's.
+// layer has one width for both of its transition bands, the lower one's, or of ground fog the upper one's. Upper bands
+// of other widths and layers that a profile has no knots for are ignored, and the frame's line names them.
 #include <arpa/inet.h>
 #include <litfog/atmosphere.h>
 #include <litfog/updater.h>
@@ -102,21 +103,29 @@ struct Order {
 struct Weather {
   litfog::Fog atmosphere;
   std::array<litfog::FogLayer, 4> layers;  // ground fog, then clouds; the default is no fog
+  std::array<double, 4> upper_bands{};     // metres
 
-  /// The air that it makes. Where its layers need more knots than a profile has, those farthest from the eye are left
-  /// out.
-  litfog::Atmosphere air() const {
-    const auto distance = [](const litfog::FogLayer& layer) {
-      return std::max({layer.base - kEyeHeight, kEyeHeight - layer.top, 0.});
-    };
-    std::array<litfog::FogLayer, 4> sorted = layers;
-    std::ranges::stable_sort(sorted, {}, distance);
+  /// The air that it makes. Layers nearer to the eye take their knots first.
+  ///
+  /// ignored  what of the weather the air lacks; empty: nothing
+  litfog::Atmosphere air(std::string& ignored) const {
+    ignored.clear();
+    const auto ignore = [&](const std::string& what) { ignored += (ignored.empty() ? "" : ", ") + what; };
+    std::array<std::size_t, 4> nearest{0, 1, 2, 3};
+    std::ranges::stable_sort(nearest, {}, [&](std::size_t i) {
+      return std::max({layers[i].base - kEyeHeight, kEyeHeight - layers[i].top, 0.});
+    });
     litfog::Atmosphere air{.fog = atmosphere};
-    for (std::size_t count = sorted.size(); count > 0; --count) {
+    std::vector<litfog::FogLayer> taken;
+    for (const std::size_t i : nearest) {
+      const std::string name = "layer " + std::to_string(i);
+      taken.push_back(layers[i]);
       try {
-        air.profile = litfog::make_density_profile(std::span(sorted).first(count));
-        break;
+        air.profile = litfog::make_density_profile(taken);
+        if (layers[i].transition != upper_bands[i]) ignore("the width of the upper band of " + name);
       } catch (const std::invalid_argument&) {  // too many knots, for each layer is valid
+        taken.pop_back();
+        ignore(name);
       }
     }
     return air;
@@ -164,12 +173,14 @@ Frame read_frame(Bytes datagram, Weather weather) {
       const bool is_ground = rest[4] == 0;
       const auto number = [&](std::size_t offset) { return double(order.read<float>(rest, offset)); };
       litfog::FogLayer layer;
+      frame.weather.upper_bands[rest[4]] = 0;
       if ((rest[6] & 1) != 0) {
         const double base = number(version.layer.base);
         layer = {.base = is_ground ? layer.base : base,
                  .top = base + number(version.layer.thickness),
                  .transition = number(is_ground ? version.layer.top_transition : version.layer.transition),
                  .visibility = number(version.weather.visibility)};
+        frame.weather.upper_bands[rest[4]] = number(version.layer.top_transition);
       }
       if (const auto error = find_error(layer)) refuse("layer " + std::to_string(rest[4]) + ": " + to_string(*error));
       frame.weather.layers[rest[4]] = layer;
@@ -252,6 +263,7 @@ void follow(Socket& socket, int datagrams) {
   litfog::FogUpdater updater = lights();
   Weather weather;
   litfog::Atmosphere air;
+  std::string ignored, ignored_before;
   std::vector<double> latencies;
   int refused = 0;
   for (int i = 0; i < datagrams; ++i) {
@@ -260,15 +272,16 @@ void follow(Socket& socket, int datagrams) {
     try {
       const Frame frame = read_frame(datagram, weather);
       weather = frame.weather;
-      const litfog::Atmosphere before = std::exchange(air, weather.air());
-      const litfog::Fog at_eye = air.fog_at(kEyeHeight);
-      updater.set_fog(at_eye);
+      const litfog::Atmosphere before = std::exchange(air, weather.air(ignored));
+      updater.set_atmosphere(air, kEyeHeight);
       latencies.push_back(microseconds_since(received));
       // Here a renderer uploads the changed ranges and the header of the air (pack_fog_header), and draws.
-      if (air != before) {
-        std::printf("frame %u, CIGI %d: density %.6g/m at the eye, %zu knots, %zu bytes of lights to upload\n",
-                    frame.number, frame.version, at_eye.density, air.profile.count, updater.statistics().bytes_dirty);
+      if (air != before || ignored != ignored_before) {
+        std::printf("frame %u, CIGI %d: density %.6g/m at the eye, %zu knots, %zu bytes of lights to upload%s%s\n",
+                    frame.number, frame.version, air.fog_at(kEyeHeight).density, air.profile.count,
+                    updater.statistics().bytes_dirty, ignored.empty() ? "" : "; ignored: ", ignored.c_str());
       }
+      ignored_before = ignored;
     } catch (const std::invalid_argument& error) {
       ++refused;
       std::printf("refused: %s\n", error.what());

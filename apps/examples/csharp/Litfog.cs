@@ -72,8 +72,8 @@ public static class Litfog
         public UIntPtr KindCount;
         public IntPtr Instances;
         public UIntPtr InstanceCount;
-        public IntPtr EffectiveIntensities;
-        public UIntPtr EffectiveIntensityCount;
+        public IntPtr Sources;
+        public UIntPtr SourceCount;
     }
 
     /// Arrays of FogLightKind and of three Vector4 an instance.
@@ -87,7 +87,7 @@ public static class Litfog
     }
 
     [StructLayout(LayoutKind.Sequential)]
-    public struct FogUpdateStatistics { public UIntPtr KindsSolved, KindsSkipped, LightsSkipped, BytesDirty, EffectiveSolved; }
+    public struct FogUpdateStatistics { public UIntPtr KindsSolved, KindsSkipped, LightsSkipped, BytesDirty, SourcesSolved; }
 
     [DllImport(Library)] static extern IntPtr litfog_last_error();
     [DllImport(Library)]

@@ -32,11 +32,11 @@ namespace litfog::scene {
 ///       "fog_top_m": 120,                                 optional: the height at which rays to the sky leave the fog
 ///                                                         and moonlight enters it (Atmosphere::top_above() and
 ///                                                         light_top()); default: never, any fog hides the sky, and
-///                                                         1200
+///                                                         1200, from height 0 of the scene
 ///       "phase_g": 0.8,                                   optional: short for the phase function hg:0.8
 ///       "atmosphere": {                                   optional: what the air is made of
-///         "phase": "droplets:20",                         optional: the fog's phase function: isotropic, hg:G or
-///                                                         droplets:D (kPhaseRule); default: droplets:10
+///         "phase": "droplets:20",                         optional: the fog's phase function, named as kPhaseRule
+///                                                         has it; default: droplets:10
 ///         "albedo": 0.9,                                  optional: the fraction of the light taken that the fog
 ///                                                         scatters, in [0, 1]; default: 1
 ///         "layers": [                                     optional: layers of fog (fog_layers.h)

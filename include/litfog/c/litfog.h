@@ -103,7 +103,7 @@ typedef struct litfog_fog_layer {
 typedef struct litfog_atmosphere {
   litfog_fog fog;
   litfog_phase phase;
-  double albedo;                   ///< [0, 1]: scattering over extinction
+  double albedo;                   ///< [0, 1]: scattering over extinction; all orders of scattering need 1
   double top;                      ///< metres: height at which rays to the sky leave the fog, unless a layer reaches
                                    ///< higher; INFINITY: they do not
   double ambient_fog_color[3];     ///< linear RGB, finite, >= 0
@@ -372,8 +372,8 @@ LITFOG_API litfog_status litfog_reach_budget(double step, size_t lights, double 
 // --- sun and moon (litfog/directional_airlight.h) ---
 
 /// Airlight of a directional light along rays: the fraction of the light's colour that the fog scatters into the eye.
-/// The light enters at the atmosphere's top, or at 1200 m if that is INFINITY, and at least at the height of the
-/// profile's last knot. A profile that is not 0 above its knots ends 1200 m above the last.
+/// The light enters at the atmosphere's top, or at 1200 m above height 0 if that is INFINITY, and at least at the height
+/// of the profile's last knot. A profile that is not 0 above its knots ends 1200 m above the last.
 ///
 /// atmosphere  exp fog
 /// to_light    its length is 1 within LITFOG_DIRECTION_TOLERANCE
@@ -554,9 +554,15 @@ typedef struct litfog_fog_light_changes {
   size_t kind_count;
   const litfog_entry_range* instances;
   size_t instance_count;
-  const litfog_entry_range* effective_intensities;
-  size_t effective_intensity_count;
+  const litfog_entry_range* sources;
+  size_t source_count;
 } litfog_fog_light_changes;
+
+/// What all orders of scattering take of the lights of a kind: members of their litfog_scattering_source.
+typedef struct litfog_fog_light_source {
+  float intensity;  ///< m^2; 0 of kinds of which no light is on
+  float soft_range;
+} litfog_fog_light_source;
 
 /// The tables. Valid until the next call on the updater that is not const.
 typedef struct litfog_fog_light_tables {
@@ -566,13 +572,13 @@ typedef struct litfog_fog_light_tables {
   size_t instance_count;
 } litfog_fog_light_tables;
 
-/// What the last set_fog did.
+/// What the last set_fog or set_atmosphere did.
 typedef struct litfog_fog_update_statistics {
   size_t kinds_solved;
   size_t kinds_skipped;
   size_t lights_skipped;
   size_t bytes_dirty;
-  size_t effective_solved;
+  size_t sources_solved;
 } litfog_fog_update_statistics;
 
 #define LITFOG_DEFAULT_SKIP_BUDGET_255 0.5  ///< half a step of an 8-bit picture
@@ -603,11 +609,17 @@ LITFOG_API litfog_status litfog_updater_remove(litfog_updater* updater, litfog_l
 LITFOG_API litfog_status litfog_updater_set_fog(litfog_updater* updater, const litfog_fog* fog,
                                                 litfog_fog_light_changes* changes);
 
-/// Makes set_fog also solve each kind's effective intensity, for all orders of scattering in fog without layers.
-LITFOG_API litfog_status litfog_updater_solve_effective_intensities(litfog_updater* updater);
-/// The effective intensities, m^2, one per kind; none unless they are solved. Valid as long as the tables.
-LITFOG_API litfog_status litfog_updater_effective_intensities(const litfog_updater* updater, const float** intensities,
-                                                              size_t* count);
+/// The same for any atmosphere. Intensities of kinds are those in the fog at the eye's height. A change of the fog, its
+/// layers or its phase function changes only kinds and sources.
+LITFOG_API litfog_status litfog_updater_set_atmosphere(litfog_updater* updater, const litfog_atmosphere* atmosphere,
+                                                       double eye_height, litfog_fog_light_changes* changes);
+
+/// Makes set_fog and set_atmosphere also solve the source of each kind, for all orders of scattering.
+LITFOG_API litfog_status litfog_updater_solve_sources(litfog_updater* updater);
+/// The sources, one per kind: those in the densest fog at any height, and after set_fog in isotropic fog. None unless
+/// they are solved. Valid as long as the tables.
+LITFOG_API litfog_status litfog_updater_sources(const litfog_updater* updater, const litfog_fog_light_source** sources,
+                                                size_t* count);
 
 LITFOG_API litfog_status litfog_updater_tables(const litfog_updater* updater, litfog_fog_light_tables* tables);
 LITFOG_API litfog_status litfog_updater_statistics(const litfog_updater* updater,

@@ -353,16 +353,16 @@ LITFOG_REAL litfog_airlight_nodes(LitfogAirlight air) {
   if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) {
     return litfog_is_isotropic(air.phase) ? LITFOG_REAL(128.0) : LITFOG_REAL(160.0);
   }
+  // The knee cuts the ray, and a phase function that scatters back brightens it far beyond the lamp.
+  bool is_uneven = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic) < LITFOG_REAL(1.0) ||
+                   litfog_backward_depths(air.phase) > LITFOG_REAL(0.0);
+  LITFOG_REAL of_shaped_point = is_uneven ? LITFOG_REAL(24.0) : LITFOG_REAL(16.0);
   if (litfog_airlight_is_layered(air)) {  // of each piece
     if (litfog_has_cone(air.profile)) return LITFOG_REAL(24.0);
-    return litfog_is_isotropic(air.phase) ? LITFOG_REAL(12.0) : LITFOG_REAL(16.0);
+    return litfog_is_isotropic(air.phase) ? LITFOG_REAL(12.0) : of_shaped_point;
   }
   if (litfog_airlight_is_shaped(air)) {
-    if (!litfog_has_cone(air.profile)) {
-      // The knee cuts the ray, and what scatters back brightens it far beyond the lamp.
-      bool meets_knee = litfog_denominator(air.offset, air.constant, air.linear, air.quadratic) < LITFOG_REAL(1.0);
-      return meets_knee || litfog_backward_depths(air.phase) > LITFOG_REAL(0.0) ? LITFOG_REAL(24.0) : LITFOG_REAL(16.0);
-    }
+    if (!litfog_has_cone(air.profile)) return of_shaped_point;
     return litfog_airlight_is_wide(air) ? LITFOG_REAL(56.0) : LITFOG_REAL(36.0);
   }
   if (!litfog_is_isotropic(air.phase)) {
