@@ -26,7 +26,7 @@ struct BasicFogIntensity {
 using FogIntensity = BasicFogIntensity<double>;
 using FogIntensityF = BasicFogIntensity<float>;
 
-/// Largest errors of solve_fog_intensity: intensity in ulp, peak range relative. The float peak range is the double one,
+/// Largest errors of solve_fog_intensity: intensity in ulp, peak range relative. The float peak range is the double's,
 /// rounded.
 template <typename Real>
 inline constexpr double kIntensityMaxUlp = std::is_same_v<Real, float> ? 1 : 2;
