@@ -31,78 +31,79 @@ constexpr const char* kExplanation =
     R"(solve: per light, over a mix of 4,096 lights: extent 5 to 5,000 m and visibility 50 to 10,000 m log-uniform;
 constant below, at and above 1, linear only, quadratic only and mixed, a third each; threshold 0.05; caches warm.
 Methods: Hales's sampling with N = 16 to 1024, as published and in SIMD; Boost.Math's brent_find_minima;
-exact, one light a call; batch; and, as the least possible, a copy of the bytes that the batch reads and writes (five
-columns in, one out). -uncached is the same over four million lights. Errors are against a 50-digit reference over the
+exact, one light per call; batch; and, as a lower bound, a copy of the bytes that the batch reads and writes (five
+columns in, one out). -uncached is the same with four million lights. Errors are against a 50-digit reference over the
 first 2,000 lights.
 
 airlight: per ray, over 4,000 rays whose airlight is more than 1e-10 of the lamp's colour, in six mixes. point: point
 lamps in isotropic fog; C below, at and above 1 and 0, L and Q from 0 over decades; visibility 3 m to 100 km, in one
 of twenty fogs 5 cm to 3 m; the eye beside, behind and in the lamp's light, rays of any length. g-0.85, droplets: the
-same in exp fog that scatters by g = 0.85 and of droplets of 10 micrometres. layers: the same in layers of exp fog. any:
-two thirds are spots of 0.1 to 180 degrees, half of the fogs scatter by g from -0.9 to 0.9. inverse-square: C = L = 0,
-outside of the knee.
+same in exp fog with g = 0.85, and with droplets of 10 micrometres. layers: the same in layers of exp fog. any: two
+thirds are spots of 0.1 to 180 degrees, half of the fogs have g from -0.9 to 0.9. inverse-square: C = L = 0, outside the
+knee.
 Methods: uniform steps from the eye (march) and inside the lamp's sphere and cone only (march-clipped, as PlayCanvas);
 litfog; the arctangent form without extinction (Macklin 2010); a closed form by the exponential integral (Pegoraro and
 Parker 2009); 256 x 256 tables (Sun et al. 2005); litfog's reference.
-Errors are against it, of the lamp's colour, or of the airlight where that is brighter; p99_relative is of the relative error.
-lamp_leg is 1 where the fog dims the light on its way from the lamp, too.
+Errors are against the reference, relative to the lamp's colour, or to the airlight where that is brighter; p99_relative
+is the 99th percentile of the relative error. lamp_leg is 1 if the fog also dims the light on its way from the lamp.
 
 lamps: no times; what an eye sees in exp fog that carries a lamp of data/lights and looks along its axis: the fog colour
 intensity (peak), the airlight without and with the lamp's own leg through the fog (k0, k1), and its reference.
 
-scattering: no times; M / (I d^2) for the law I / r^2 in endless fog of density d and albedo 1, in the unit of airlight, by
-depth tau = d r between eye and lamp and angle between ray and lamp; a row a phase function and depth. max_error is the
-largest relative change in the row when a third of the nodes of the solution is left out.
+scattering: no times; M / (I d^2) for a lamp of I / r^2 in endless fog of density d and albedo 1, in the unit of
+airlight, by depth tau = d r between eye and lamp and angle between ray and lamp; one row per phase function and depth.
+max_error is the largest relative change in the row when a third of the solution's nodes are left out.
 
 glow: the same lamp's light scattered once (single) and in all orders (all), over nine angles, at depths of 0.3 to 6 in
 isotropic fog and in droplets of 10 micrometres. Methods: litfog; a Legendre series (Narasimhan and Nayar 2003), which
-converges beyond a depth of 1 alone; one Gaussian (after Premože et al. 2004); three octaves of single scattering in 16
-steps (Wrenninge et al. 2013, as engines have it); a random walk of 65,536 paths (walk, with its standard error).
+converges only beyond a depth of 1; one Gaussian (after Premože et al. 2004); three octaves of single scattering in 16
+steps (Wrenninge et al. 2013, as in engines); a random walk of 65,536 paths (walk, with its standard error).
 Errors are against the discretised equation of transfer (reference). --strip draws one lamp at six visibilities.
 
-update: 1,000 steps of visibility, 10,000 m to 50 m and back, over a million lights of 200 kinds, all carried and on.
-updater-layers: the same in a layer of droplets, with what all orders of scattering take of each kind.
-bytes_per_step: what then has to be uploaded, the most of all steps.
+update: 1,000 steps of visibility, 10,000 m to 50 m and back, with a million lights of 200 kinds, all carried and on.
+updater-layers: the same in a layer of droplets, with what all orders of scattering need for each kind.
+bytes_per_step: bytes to upload, the largest of all steps.
 
-load: 216,000 steps with a million lights, as in an hour at 60 a second: each moves the visibility and the time, which
-1,000 lights flash by, moves 90 lights, replaces 10 of the 1,000 by lights of new kinds and switches 100. grown_mib:
-resident memory in the end beyond that after a twentieth of the steps.
+load: 216,000 steps with a million lights, as in an hour at 60 per second. Each step changes the visibility and the
+time, by which 1,000 lights flash, moves 90 lights, replaces 10 of the 1,000 by lights of new kinds and switches 100.
+grown_mib: resident memory at the end minus that after a twentieth of the steps.
 
-fit: per table of 20 samples, over 100 tables a problem: exact, 2 and 20 % of noise, outliers, clamped near the light,
+fit: per table of 20 samples, over 100 tables per problem: exact, 2 and 20 % of noise, outliers, clamped near the light,
 ranges of kilometres and of millimetres. Methods: litfog, proof of the global optimum included; plain Ceres from
 C = L = Q = 1. digits: the fewest in which ln attenuation agrees with the optimum at all samples of any table; the
 optimum is certified at 50 digits.
 
 render: in exp fog, headlights with 1 to 256 lights at 640x360 by every lighting path of litfog-demo, the default one
-also with airlight, by the base texture alone (unlit) and, as the rival, by a small forward renderer of one shader that
+also with airlight, with only the base texture (unlit) and, as the rival, with a small forward renderer whose one shader
 loops over all lights and skips nothing (plain); with 1 to 16 lights also with nothing skipped, and with 2 at 1280x720.
-Every scene with 2 and 16 lights at 1280x720 by unified, legacy and plain, with 1 and 4 samples a pixel, with and
-without skipping; with 4 and skipping also with airlight. Frames of all paths interleaved. Errors are those of the same picture at 80x45, by airlight at 32x18, against the path's own plain formulas, shaded in
-double. The picture has table 1 of Hales 2004.
+Every scene with 2 and 16 lights at 1280x720 by unified, legacy and plain, with 1 and 4 samples per pixel, with and
+without skipping; with 4 and skipping also with airlight. Frames of all paths are interleaved. Errors are those of the
+same picture at 80x45, by airlight at 32x18, against the path's own plain formulas, shaded in double. The picture has
+table 1 of Hales 2004.
 
-frames: every scene with all its lamps, as litfog-demo draws it, at 640x360: fog lit by peak, by the airlight that it
-scatters once (single), and by that of all orders (all), frames interleaved; headlights, street and approach also in
-isotropic fog and by g = 0.85 (phase). Errors as for render, at 16x9.
+frames: every scene with all its lamps, as litfog-demo draws it, at 640x360: fog lit by peak, by single scattering
+(single), and by all orders (all), frames interleaved; headlights, street and approach also in isotropic fog and with
+g = 0.85 (phase). Errors as for render, at 16x9.
 
-rejection: every scene by unified and peak, 640x360, with 2 and 16 lights, 1 and 4 samples a pixel: surfaces by
-material (none), from the nearest to the farthest (front-to-back), or after a pass of depths alone (depth-pass), frames
-interleaved. layers_passed: how often a sample of the picture passes the depth test, in the pass of depths, too;
-fragments_per_pixel: for which the driver says that it ran a shader. llvmpipe counts those that it rejects, too.
+rejection: every scene by unified and peak, 640x360, with 2 and 16 lights, 1 and 4 samples per pixel: surfaces by
+material (none), from the nearest to the farthest (front-to-back), or after a depth pre-pass (depth-pass), frames
+interleaved. layers_passed: how often a sample of the picture passes the depth test, the pre-pass included;
+fragments_per_pixel: shader runs by the driver's count. llvmpipe also counts those that it rejects.
 
 maps: no times; headlights by its two headlights in exp2 fog, 320x180, drawn from 3-D range maps and from pairs of 2-D
-maps of as many texels, of 16 to 256 texels a side. Errors are against the path's plain formulas, shaded in double.
+maps with as many texels, of 16 to 256 texels a side. Errors are against the path's plain formulas, shaded in double.
 
 city: a flight of 300 frames through streets. A light's range is its reach in the fog, and the view ends where fog
-hides white. clusters: LightClusters (16 x 9 x 24) at each frame; clusters-one-light: the view stands and one light
+hides white. clusters: LightClusters (16 x 9 x 24) at each frame; clusters-one-light: the view stays and one light
 changes; clusters-fog: a change of the visibility. frame, 320x180, peak: from the scene's camera with all lights;
-frame-of-those: with the lights alone that the picture needs, all others of which change it by at most half a step;
-ratio_to_those: the one over the other; frame-airlight: the frame by airlight, with the first 100 to 1000 lamps in view;
-frame-flight: the flight with 10,000 lights.
+frame-of-those: with only the lights that the picture needs (all others change it by at most half a step);
+ratio_to_those: the first over the second; frame-airlight: the frame by airlight, with the first 100 to 1000 lamps in
+view; frame-flight: the flight with 10,000 lights.
 
-Times are processor time of one thread (render, frames: wall time of a frame, drawn and waited for; city's frames: processor
+Times are processor time of one thread (render, frames: wall time until a frame is finished; city's frames: processor
 time of all threads, a software rasteriser's included, and wall_ms): medians, with the spread from the 10th to the 90th
-percentile of the repetitions (solve, airlight, fit), steps (update) or frames (render, frames). Errors ending in _255 are in
-steps of an 8-bit colour channel.
+percentile of the repetitions (solve, airlight, fit), steps (update) or frames (render, frames). Errors ending in _255
+are in steps of an 8-bit colour channel.
 
 Examples:
   litfog-bench solve --quick
@@ -144,15 +145,15 @@ const std::vector<Benchmark> kBenchmarks{
     {"solve", "time against error of every method for a light's fog colour intensity", measure_solve, true, true},
     {"airlight", "time against error of every method for a light's airlight along a ray", measure_airlight, true, true},
     {"lamps", "peak and airlight of four lamps over visibility, beside the reference", measure_lamps, false, true},
-    {"scattering", "table of the light that fog scatters twice and more often from a point lamp", tabulate_scattering},
+    {"scattering", "table of a point lamp's light that fog scatters twice or more", tabulate_scattering},
     {"glow", "the glow around a point lamp over angle: scattered once, all orders, and by a random walk", draw_glow,
      false, true},
     {"update", "time to follow a visibility step by step over a million lights", measure_update, true},
-    {"load", "an hour of changes of lights and weather, a million lights: steps and memory", measure_load, true},
+    {"load", "an hour of changing weather and lights, a million lights: steps and memory", measure_load, true},
     {"fit", "time and quality of fits of an attenuation to a falloff table", fit},
     {"render", "frame time and error of every lighting path, over scenes, lights and sizes", draw<measure_render>,
      false, true},
-    {"frames", "frame time and error of every scene: fog lit by peak, by what it scatters once, and in all orders",
+    {"frames", "frame time and error of every scene: fog lit by peak, by single scattering, and by all orders",
      draw<measure_frames>},
     {"rejection", "frame time and fragments shaded by each way to reject hidden fragments early",
      draw<measure_rejection>},

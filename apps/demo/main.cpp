@@ -50,10 +50,10 @@ constexpr const char* kDescription =
   litfog-demo SCENE [OPTIONS]                        one picture
   litfog-demo gallery [SCENE...] [-o FOLDER]         every scene, clear and at its visibilities
   litfog-demo compare [SCENE...] [-o FOLDER]         every scene by every lighting path, with times and errors
-  litfog-demo compare SCENE --with SETTING ...       a scene in any settings, on a page that flips, wipes and zooms
+  litfog-demo compare SCENE --with SETTING ...       a scene in several settings; a page that flips, wipes and zooms
   litfog-demo sequence SCENE [-o FOLDER]             frames over visibility, time, a camera path or any member
-  litfog-demo papers [-o FOLDER]                     the papers' figures by their own programs
-  litfog-demo window SCENE [OPTIONS]                 a window to move and change things in
+  litfog-demo papers [-o FOLDER]                     the papers' figures, drawn by their own programs
+  litfog-demo window SCENE [OPTIONS]                 a window in which things can be moved and changed
   litfog-demo list scenes|paths                      what SCENE and --path may be
   litfog-demo list lights SCENE                      what --set may change of a scene's lights
 
@@ -71,7 +71,7 @@ constexpr const char* kExamples =
   litfog-demo gallery -o out
   litfog-demo compare room headlights --size 960x540 -o paths
 
-Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no OpenGL 3.3 through EGL, too few samples a
+Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no OpenGL 3.3 through EGL, too few samples per
 pixel, too little memory for the shadow maps, or no ffmpeg for --film; 4 output cannot be written.)";
 
 /// One of the command's jobs. It has put its options on the command line and runs when that has been parsed.
@@ -183,18 +183,18 @@ Job add_picture_job(CLI::App& app) {
                  "Picture to write: .png (what a display shows) or .exr (linear light) (default SCENE.png)")
       ->type_name("FILE");
   add_choice<bool>(app, "--exr", options->in_floats, {{"half", false}, {"float", true}},
-                   "Numbers of an .exr picture: 16-bit floats unless its light exceeds them, or 32-bit floats "
+                   "Number format of an .exr picture: 16-bit floats unless its light exceeds them, or 32-bit floats "
                    "(default half)");
   add_integer(app, "--frames", options->frames, 1, 100'000,
               "Frames to draw and time, after one that is not timed (default 1)");
   app.add_flag("--reference", options->reference,
-               "Write the picture that the CPU shades in double by the path's plain formulas");
-  app.add_option("--heat-map", options->heat_map, "Write the path's error against that picture as colours, .png")
+               "Write the reference, shaded on the CPU in double by the path's plain formulas");
+  app.add_option("--heat-map", options->heat_map, "Write the path's error against the reference as colours, .png")
       ->type_name("FILE");
   app.add_option("--stats", options->stats, "Write times and counts as JSON")->type_name("FILE");
   drawing::add_picture_options(app, options->scene, options->drawing);
   app.add_flag("--sort-polygons", options->sorts_polygons,
-               "By peak: draw the triangles that no lamp reaches by programs without lamps, as Hales advises");
+               "By peak: draw triangles that no lamp reaches with programs without lamps, as Hales advises");
   app.option_defaults()->group("Options");
   return [&app, options] {
     check_picture_options(app, *options);
@@ -231,9 +231,9 @@ void add_scenes_and_folder(CLI::App& app, ScenesOptions& options) {
 Job add_gallery_job(CLI::App& app) {
   const auto options = std::make_shared<ScenesOptions>(ScenesOptions{.scenes = {}, .folder = "gallery", .drawing = {}});
   app.footer(
-      "Where airlight is the default, the first scene is drawn by peak as well, for comparison. The scene tessellation "
+      "If airlight is the default, the first scene is also drawn by peak, for comparison. The scene tessellation "
       "is "
-      "drawn where it is named.\n\n"
+      "drawn only if it is named.\n\n"
       "Example:\n  litfog-demo gallery room headlights --size 640x360 -o out");
   add_scenes_and_folder(app, *options);
   drawing::add_fog(app, options->drawing);
@@ -300,16 +300,16 @@ Job add_comparison_job(CLI::App& app) {
   const auto options = std::make_shared<ComparisonOptions>();
   options->folder = "comparison";
   app.footer(
-      "SETTING is options of a picture without their dashes, members as of --set, or another scene, separated by "
+      "SETTING is a picture's options without their dashes, members as for --set, or another scene, separated by "
       "spaces. A single SETTING is compared with the scene without it; other options apply to all. Without --with, "
-      "scenes are drawn as they are: --set, --camera, --target, --fov-deg, --path and --flat-shading need --with.\n\n"
+      "scenes are drawn unchanged: --set, --camera, --target, --fov-deg, --path and --flat-shading need --with.\n\n"
       "Examples:\n"
       "  litfog-demo compare room --visibility 30 --size 960x540 -o paths\n"
       "  litfog-demo compare room --with \"visibility=50\" --with \"visibility=400 path=vertex\"\n"
       "  litfog-demo compare room --with lights[0].attenuation.quadratic=0.05 --with my-room.json --with no-skip");
   add_scenes_and_folder(app, *options);
   app.add_option("--with", options->settings,
-                 "Compare settings of one scene in place of its lighting paths; given once for each of them")
+                 "Compare settings of one scene instead of lighting paths; give it once per setting")
       ->type_name("SETTING")
       ->allow_extra_args(false);
   add_integer(app, "--frames", options->frames, 1, 100'000, "Frames of each path or setting to time (default 5)");
@@ -331,9 +331,9 @@ Job add_sequence_job(CLI::App& app) {
   };
   const auto options = std::make_shared<Options>();
   app.footer(
-      "NUMBERS is one number, a list A,B,C of a frame each, FROM..TO, or FROM..TO:N in N frames. Lights that the eye's "
-      "vehicle carries move along with the camera. The camera goes smoothly through the keyframes of a path's file, "
-      "whose times and angles may be left out:\n"
+      "NUMBERS is one number, a list A,B,C with one frame each, FROM..TO, or FROM..TO:N in N frames. Lights that the "
+      "eye's vehicle carries move with the camera. The camera moves smoothly through the keyframes of a path file, "
+      "whose times and angles are optional:\n"
       "  {\"litfog\": \"camera-path\", \"version\": 1, \"keyframes\": [\n"
       "    {\"time_s\": 0, \"position\": [0, 2, 9], \"target\": [0, 1, 0], \"field_of_view_deg\": 50}, ...]}\n\n"
       "Examples:\n"
@@ -375,7 +375,7 @@ Job add_papers_job(CLI::App& app) {
   };
   const auto options = std::make_shared<Options>();
   app.footer(
-      "hales.png has the times of table 1 beside those measured now; times in software rendering are not a GPU's.\n\n"
+      "hales.png has the times of table 1 beside those measured now; software rendering times are not a GPU's.\n\n"
       "Example:\n  litfog-demo papers -o out");
   add_folder(app, options->folder);
   drawing::add_size(app, options->drawing);
@@ -457,10 +457,9 @@ int main(int argc, char** argv) {
     jobs.emplace_back(job, add(*job));
   };
   add_job("gallery", "Draws scenes clear and at each of their visibilities, and a contact sheet", add_gallery_job);
-  add_job(
-      "compare",
-      "Draws scenes by every lighting path, or one in any settings, timed interleaved, with differences and index.html",
-      add_comparison_job);
+  add_job("compare",
+          "Draws scenes by every lighting path, or one in several settings; times, differences and a page, index.html",
+          add_comparison_job);
   add_job("sequence",
           "Draws a scene over visibility, time, a camera path or any member: numbered frames and an animation of them",
           add_sequence_job);

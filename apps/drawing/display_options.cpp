@@ -49,8 +49,8 @@ void add_display(CLI::App& app, DisplayOptions& options) {
       "How a .png shows light beyond its white: neutral keeps the hue (Khronos PBR Neutral), clip cuts each channel "
       "(default the scene's, else neutral)");
   command::add_choice(app, "--glare", options.glare, kGlares,
-                      "Whether a .png shows light as the eye's optics spread it (Spencer et al. 1995), so that of two "
-                      "lamps the brighter is the larger (default eye with airlight, none with peak)");
+                      "Whether a .png has the glare of the eye's optics (Spencer et al. 1995), so that brighter lamps "
+                      "look larger (default eye with airlight, none with peak)");
 }
 
 std::string display_in_words(const Display& display) {

@@ -55,8 +55,8 @@ void add_number(
 void add_layers(CLI::App& app, DrawingOptions& options) {
   app.add_option_function<std::string>(
          "--layers", [&options](const std::string& text) { take_layers(options, text); },
-         "Layers of fog in place of the scene's, from a file that holds an array as a scene file's atmosphere.layers; "
-         "--visibility is then that outside them (default inf)")
+         "Layers of fog instead of the scene's, from a file with an array like atmosphere.layers of a scene file; "
+         "--visibility is then the one outside them (default inf)")
       ->type_name("FILE|none");
 }
 
@@ -71,16 +71,15 @@ void add_phase(CLI::App& app, DrawingOptions& options) {
     return app.add_option_function<std::string>(option, parse, description)->type_name(type);
   };
   CLI::Option* const phase = add_named("--phase", "PHASE", "",
-                                       "With airlight: phase function of the fog, in place of the scene's: isotropic, "
+                                       "With airlight: phase function of the fog, instead of the scene's: isotropic, "
                                        "rayleigh (air), hg:G (Henyey and Greenstein, G near 1 scatters straight "
                                        "ahead), draine:G,ALPHA (Draine), a sum of two of these such as "
                                        "0.7*hg:0.8+0.3*hg:-0.2, or droplets:D (water droplets of 5 to 50 micrometres; "
                                        "default droplets:10 in exp fog, isotropic in exp2)");
-  add_named("--phase-g", "NUMBER", "hg:", "Short for --phase hg:NUMBER")->excludes(phase);
-  add_number(
-      app, "--albedo", options.albedo, kFraction,
-      "With airlight: fraction of the light taken by the fog that it scatters, in place of the scene's; below 1, "
-      "light that is scattered twice or more is left out (--scattering single)");
+  add_named("--phase-g", "NUMBER", "hg:", "Shorthand for --phase hg:NUMBER")->excludes(phase);
+  add_number(app, "--albedo", options.albedo, kFraction,
+             "With airlight: the fog's albedo, scattering over extinction, instead of the scene's; below 1, light that "
+             "is scattered twice or more is left out (--scattering single)");
 }
 
 std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {
@@ -179,7 +178,7 @@ void add_fog_and_visibility(CLI::App& app, DrawingOptions& options) {
   command::add_runway_lights(app, options.runway_lights);
   add_number(
       app, "--rvr", options.runway_visual_range, command::kNotNegative,
-      "Runway visual range in metres, in place of --visibility, in air without layers: how far lamps of --lamp-cd "
+      "Runway visual range in metres, instead of --visibility, in air without layers: how far lamps of --lamp-cd "
       "are seen",
       [&options] {
         options.visibility.reset();
@@ -206,56 +205,55 @@ void add_drawing(CLI::App& app, DrawingOptions& options) {
                       "Lighting path: see `litfog-demo list paths` (default unified)");
   command::add_choice(
       app, "--fog-light", options.fog_light, kFogLights,
-      "How lamps light the fog: peak is the papers' way, in which only carried lights do; airlight is that of every "
-      "lamp along each ray (default airlight with --path unified, else peak)");
+      "How lamps light the fog: peak is the papers' term, for carried lights only; airlight is the light of every lamp "
+      "along each ray (default airlight with --path unified, else peak)");
   command::add_choice(
       app, "--scattering", options.scattering, kScatterings,
-      "With airlight: whether the fog sends to the eye what it scatters once, or also what it scatters more often, "
-      "which is "
-      "most of it beyond one visibility (default all in exp fog of albedo 1 that is isotropic, hg:G with G in [0, "
-      "0.95] or of droplets, else single)");
+      "With airlight: light that the fog scatters once, or in all orders; beyond one visibility, most light is "
+      "scattered more than once (default all in exp fog of albedo 1 that is isotropic, hg:G with G in [0, 0.95] or of "
+      "droplets, else single)");
   command::add_choice(
       app, "--shadows", options.render.shadows, kShadows,
-      fmt::format("What the shadows of lamps and moon darken: surfaces; shafts is surfaces and lamps' airlight, which "
-                  "errs by up to 2.5 steps of 1/255 at the edges of shafts (default {})",
+      fmt::format("What shadows of lamps and moon darken: surfaces, or with shafts also the lamps' airlight, with "
+                  "errors of up to 2.5 steps of 1/255 at the edges of shafts (default {})",
                   options.render.shadows == render::Shadows::none ? "none" : "surfaces"));
   command::add_integer(
       app, "--shadow-lamps", options.render.shadow_lamps, 1, int(scene::kMaxSceneLights),
-      "With --shadows: at most this many lamps cast them, the carried ones first, then the brightest at "
-      "the camera (default 8)");
+      "With --shadows: how many lamps may cast shadows, the carried ones first, then the brightest at the camera "
+      "(default 8)");
   command::add_integer(app, "--shadow-map-size", options.render.shadow_map_size, 16, 8192,
-                       "With --shadows: edge of a shadow map in texels; a lamp has one, or up to six if it shines all "
-                       "around, the moon four (default 1024)");
+                       "With --shadows: edge of a shadow map in texels; a lamp has one, or up to six if it shines in "
+                       "all directions, the moon four (default 1024)");
   add_display(app, options.display);
   app.option_defaults()->group("Pixels");
   add_size(app, options);
   command::add_choice(app, "--samples", options.render.samples, kSamples,
-                      "At least this many samples a pixel (default 4)");
+                      "At least this many samples per pixel (default 4)");
   app.add_flag_callback(
       "--no-skip", [&options] { options.render.skipping = render::Skipping::off; },
-      "Draw and light everything, even what cannot be visible");
+      "Draw and light everything, even if it cannot be visible");
   render::PaperSettings& papers = options.render.papers;
   app.option_defaults()->group("The papers' ways");
   app.add_flag("--flat-shading", papers.is_flat_shaded,
-               "With lookup-3d and lookup-2d: the directional light by the faces' normals");
+               "With lookup-3d and lookup-2d: directional light by face normals");
   command::add_number(
       app, "--light-ambient", papers.light_ambient, kFraction,
       "With lookup-3d and lookup-2d: the lights' ambient colour as a fraction of their colour (default 0)");
   app.add_flag("--infinite-viewer", papers.has_infinite_viewer,
-               "Highlights as seen from far away along the camera's axis");
+               "Highlights for a viewer at infinity along the camera's axis");
   command::add_integer(app, "--map-size", papers.map_size, 8, 256,
                        "Edge of the path's light maps in texels (default 128)");
   command::add_choice(
       app, "--cone-maps", papers.cone_maps, kConeMaps,
-      "Cube maps of paths with light maps: scaled spans one face by each cone below 90 degrees, as the papers do; even "
-      "spreads cones wider than 60 degrees over all faces; one-disc is Frazier's one map for every cone (default "
+      "Cube maps of paths with light maps: scaled fits each cone below 90 degrees to one face, as in the papers; even "
+      "spreads cones wider than 60 degrees over all faces; one-disc is Frazier's single map for all cones (default "
       "scaled)");
 }
 
 void add_time(CLI::App& app, DrawingOptions& options) {
   app.option_defaults()->group("Scene");
   command::add_number(app, "--time", options.seconds, kSeconds,
-                      "Seconds for which the scene's cookies and lights have been turning and flashing (default 0)");
+                      "Time in seconds, for cookies and lights that turn or flash (default 0)");
 }
 
 std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& options) {

@@ -51,9 +51,8 @@ void add_changes(CLI::App& app, SceneOptions& options) {
          "again")
       ->type_name("MEMBER=VALUE")
       ->allow_extra_args(false);
-  app.add_flag(
-      "--lamps-only", options.is_lit_by_lamps_alone,
-      "Leave out what lights the scene besides its lamps: ambient light, sky, stars, moon, the fog's own colour");
+  app.add_flag("--lamps-only", options.is_lit_by_lamps_alone,
+               "Leave out all light except the lamps': ambient light, sky, stars, moon, fog colour");
 }
 
 void add_city_lights(CLI::App& app, SceneOptions& options) {
@@ -63,8 +62,8 @@ void add_city_lights(CLI::App& app, SceneOptions& options) {
 
 void add_view(CLI::App& app, SceneOptions& options) {
   app.option_defaults()->group("View");
-  add_point(app, "--camera", options.camera, "Where the eye is, metres (default the scene's)");
-  add_point(app, "--target", options.target, "What it looks at, metres (default the scene's)");
+  add_point(app, "--camera", options.camera, "The camera's position, metres (default the scene's)");
+  add_point(app, "--target", options.target, "The point that it looks at, metres (default the scene's)");
   app.add_option_function<std::string>(
          "--fov-deg",
          [&options](const std::string& text) {

@@ -61,7 +61,7 @@ constexpr const char* kDescription =
 )";
 
 constexpr const char* kExplanation =
-    R"(A light spec is JSON. Give it what is known; every member but range or cone may be left out:
+    R"(A light spec is JSON. State what is known; a spec needs range or cone, everything else is optional:
 
   {"litfog": "light-spec", "version": 1, "name": "landing lamp",
    "source": "the maker's data sheet", "color": [1, 0.9, 0.8],
@@ -69,53 +69,53 @@ constexpr const char* kExplanation =
              "samples": [{"range_m": 100, "attenuation": 0.5}, {"range_m": 300, "attenuation": 0.1}]},
    "cone": {"beam_angle_deg": 11, "field_angle_deg": 22}}
 
-Range. extent_m is where the attenuation is to be the threshold (0.05 if not given) and is met exactly. In its place
-peak_cd, illuminance {"range_m", "lx"} (or an array of them) or flux_lm puts it where the light gives end_lx (1 if not
-given): a number, or what an eye just sees: dark night (a mariner's), night, twilight, day or bright day (a pilot's).
-constant fixes C.
+Range. extent_m is where the attenuation reaches the threshold (0.05 if not given); it is met exactly. Instead, peak_cd,
+illuminance {"range_m", "lx"} (or an array of them) or flux_lm puts the extent where the light gives end_lx (1 if not
+given). end_lx is a number or an eye's threshold: dark night (a mariner's), night, twilight, day or bright day (a
+pilot's). constant fixes C.
 samples are a falloff table; the fit minimises sum weight * (ln a(r) - ln attenuation)^2 with C, L, Q >= 0. An extent
 alone is met by C = 1 and the family: quadratic (if not given), linear or mixed.
 
-Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; of an elliptical beam either
-is [horizontal, vertical]. Cones are round: the cone is fitted to the circles of the same solid angle, so that it has
-the beam's flux, the error is stated, and --cookie keeps the ellipse. samples are angle_deg from the axis and intensity in
-any unit; half_angle_deg is where the light ends; photometry names a photometric file in place of samples. The fit
-minimises sum weight * (cone - intensity/peak)^2. profile is one of
---profile's; best: all are fitted and shown, the best one is the light's.
+Cone. beam_angle_deg and field_angle_deg are the full angles at 50 % and 10 % of the peak; for an elliptical beam each
+is [horizontal, vertical]. Cones are round: the cone is fitted to circles of the same solid angle, so that it has the
+beam's flux; the error is stated, and --cookie keeps the ellipse. samples have angle_deg from the axis and intensity in
+any unit; half_angle_deg is where the light ends; photometry names a photometric file instead of samples. The fit
+minimises sum weight * (cone - intensity/peak)^2. profile is one of --profile's; with best, all are fitted and shown,
+and the light has the best one.
 
-Color. color is linear RGB; color_temperature_k may stand in its place. Candela are those of a color of luminance 1.
+Color. color is linear RGB; color_temperature_k may replace it. Candela are for a color of luminance 1.
 
 Source. source_radius_m is the radius of the lamp's luminous disc, 0.05 if not given: near the lamp the light gives
-I / (r^2 + R^2). With a falloff table, which says how bright the light is there, it has none if not given.
+I / (r^2 + R^2). A falloff table already states the brightness near the lamp, so with one the radius is 0 if not given.
 
-Figures that are derived from these are in --details step by step, as "derived", and kept in the light's "source".
+--details shows step by step, as "derived", what is derived from these figures. The light's "source" keeps it.
 
-A photometric file (IES LM-63 of any edition, EULUMDAT, TM-33, GLDF, or an isocandela table) is a light without a
-spec: its cone is fitted to the intensities at the file's own angles, each of weight 1, as the mean over the turn about
-the axis; it is white; it ends, at the threshold 0.05, where its peak gives 1 lx; and its source radius is that of a
-disc of the luminous opening's area. That peak is the largest mean over the turn, so that the light has the beam's flux,
-or with --cookie the largest intensity: a light written with --cookie is for its cookie. A spec with photometry and no
-range ends there, too. With a range its peak_cd, illuminance or flux_lm scales the intensities, which may then be
-percentages. Angles that the file does not state are dark.
+A photometric file (IES LM-63 of any edition, EULUMDAT, TM-33, GLDF, or an isocandela table) needs no spec. The cone is
+fitted to the mean intensity about the axis at the file's own angles, each of weight 1. The light is white; it ends, at
+the threshold 0.05, where its peak gives 1 lx; its source radius is that of a disc with the luminous opening's area. The
+peak is the largest mean about the axis, so that the light has the beam's flux. With --cookie it is the largest
+intensity: a light written with --cookie is for its cookie. A spec with photometry and no range also ends at 1 lx. With
+a range, its peak_cd, illuminance or flux_lm scales the intensities, which may then be percentages. Angles that the file
+does not state are dark.
 
-A light of I cd has C = 1, no L, and Q = 20 lx * size / I: a color of 1 stands for 20 lx. size = end_lx / (20 lx *
-threshold) multiplies the color, so that the light gives end_lx where its attenuation is the threshold.
+A light of I cd has C = 1, no L, and Q = 20 lx * size / I: a color of 1 is 20 lx. size = end_lx / (20 lx * threshold)
+multiplies the color, so that the light gives end_lx where its attenuation is the threshold.
 
-The axis is the photometric one, down, or its opposite where the peak lies above the horizon, or the peak of a beam
-aimed elsewhere. --details says which, and --axis moves it: in degrees to the right and above of an isocandela table,
-else by the file's two angles. --details also has how far a beam is from rotational symmetry, and --cookie keeps its
-shape as a cube map.
+The axis is the photometric one (down), its opposite if the peak lies above the horizon, or the peak of a beam aimed
+elsewhere. --details says which, and --axis moves it: for an isocandela table in degrees to the right and above,
+otherwise by the file's two angles. --details also says how far a beam is from rotational symmetry, and --cookie keeps
+its shape as a cube map.
 
-A beam may have a hot spot in a wide spill, of which one cone leaves out much of the flux. --spill fits two cones about
-the axis, whose sum is nearest to the beam, and writes two lights: put both at the lamp's place.
+A beam may have a hot spot in a wide spill; one cone then leaves out much of the flux. --spill fits two cones about the
+axis, whose sum is nearest to the beam, and writes two lights: put both at the lamp's position.
 
 An isocandela table is CSV with commas, or with semicolons and decimal commas; lines with # are comments. It is a grid
 of candela, with degrees to the right and above,
   vertical_deg,-10,-5,0,5,10
   5,300,1200,2000,1200,300
   0,400,1500,2500,1500,400
-or ellipses from the inner to the outer, with their half axes in degrees, beyond the last of which it is dark. Those of
-a standard are minima, and a lamp may be brighter:
+or ellipses from the inner to the outer, with half axes in degrees; it is dark beyond the last. A standard's ellipses
+are minima; a lamp may be brighter:
   candela,horizontal_deg,vertical_deg
   5000,7,5
   500,11.5,6
@@ -129,14 +129,14 @@ Examples:
   litfog-fit landing-lamp.json                                the report, in 15 lines; --details has more
   litfog-fit landing-lamp.json -o light.json --plot fit.png   the light, which litfog-solve and litfog-demo read
   litfog-fit flood.ies -o flood.json --cookie flood.exr --cookie-size 128
-  litfog-fit spot.ies -o spot.json --spill spot-spill.json    a beam of a hot spot and a spill
-  litfog-fit specs/*.json lamps/*.ldt -o lights               a light each, and a table of all
+  litfog-fit spot.ies -o spot.json --spill spot-spill.json    a beam with a hot spot and a spill
+  litfog-fit specs/*.json lamps/*.ldt -o lights               one light each, and a table of all
   litfog-fit lamps --catalogue catalogue --format csv         all of a folder: pictures, a page, a table as CSV
   litfog-fit landing-lamp --against my-lamp.ies --plot both.png
 
 Exit status: 0 done; 1 wrong command line; 2 bad input, named file:line:column on standard error; 3 --plot without
-gnuplot; 4 output cannot be written; 5 a poor light, a target that cannot be met, or an optimum that could not be shown:
-the best light is written. Of several inputs the worst.)";
+gnuplot; 4 output cannot be written; 5 a poor light, a target that cannot be met, or an optimum that is not proven: the
+best light is written. With several inputs it is the worst status.)";
 
 struct Options {
   std::vector<std::string> inputs;
@@ -543,44 +543,43 @@ int main(int argc, char** argv) {
   }
   profiles.emplace_back("best", std::nullopt);
   add_choice<std::optional<ConeProfile>>(app, "--profile", profile, profiles,
-                                         "Cone profile, in place of the spec's own" + meanings);
-  app.add_flag("--robust", options.choices.is_robust,
-               "For measured falloff tables: samples that lie far off count less");
+                                         "Cone profile, instead of the spec's own" + meanings);
+  app.add_flag("--robust", options.choices.is_robust, "For measured falloff tables: outliers count less");
   add_axis(app, options.choices.axis);
   double tilt_deg = 0;
   constexpr NumberRule kTiltRule{[](double x) { return x >= 0 && x <= 180; }, "must be a number from 0 to 180", 0, 180};
   add_number(app, "--tilt", tilt_deg, kTiltRule,
-             "Degrees by which the luminaire is tilted as it is mounted, for files with tilt data; 0 if not given");
+             "The mounted luminaire's tilt in degrees, for files with tilt data; 0 if not given");
   app.option_defaults()->group("Output");
   CLI::Option* const output = app.add_option("-o,--output", options.output,
-                                             "Write the light here, where nothing is or a fitted light; of several "
-                                             "inputs, NAME.json each in this folder, "
-                                             "made if missing")
+                                             "Write the light here; only a fitted light is replaced. With several "
+                                             "inputs, write NAME.json each into this folder, made if missing")
                                   ->type_name("FILE|FOLDER");
   app.add_flag("--force", options.is_forced,
-               "Replace files of other kinds by the light, the spill, the plot and the cookie");
+               "Let the light, the spill, the plot and the cookie replace files of other kinds");
   app.add_option("--catalogue", options.catalogue,
-                 "Write the lights, their pictures and a page of all of them, index.html, into this folder")
+                 "Write the lights, their pictures and a page with all of them, index.html, into this folder")
       ->type_name("FOLDER");
   app.add_option("--plot", options.plot, "Draw targets, fits and errors over range and angle")
       ->type_name("FILE.png|FILE.svg");
-  CLI::Option* const cookie = app.add_option("--cookie", options.cookie,
-                                             "Write a measured or elliptical beam as a cube map, six faces in a column")
-                                  ->type_name("FILE.exr");
+  CLI::Option* const cookie =
+      app.add_option("--cookie", options.cookie,
+                     "Write a measured or elliptical beam as a cube map, its six faces in a column")
+          ->type_name("FILE.exr");
   int cookie_size = kUnstatedCookieSize;
   add_integer(app, "--cookie-size", cookie_size, 1, litfog::kMaxCookieSize,
               "Edge of a face in texels, 256 if not given")
       ->needs(cookie);
   app.add_option("--spill", options.spill,
-                 "Write a photometric file's beam as two lights at one place: its hot spot to -o, its spill here")
+                 "Write a photometric file's beam as two lights at one position: its hot spot to -o, its spill here")
       ->type_name("FILE.json")
       ->needs(output);
-  app.add_option("--against", options.against, "Another input: both in one table and one plot")->type_name("INPUT");
+  app.add_option("--against", options.against, "Compare with this input in one table and one plot")->type_name("INPUT");
   app.add_flag("--details", options.has_details,
-               "Report more of a single input: derived figures, errors of each sample, and how the optimum is proven");
+               "Report more about a single input: derived figures, each sample's error, and the proof of the optimum");
   add_choice<TableFormat>(app, "--format", options.format,
                           {{"text", TableFormat::text}, {"csv", TableFormat::csv}, {"json", TableFormat::json}},
-                          "Format of the report or, of several inputs, the table: text if not given");
+                          "Format of the report or, with several inputs, the table: text if not given");
   return run_command(app, argc, argv, [&] {
     for (const auto& [option, value] : {std::pair{"-o", &options.output},
                                         {"--against", &options.against},

@@ -45,7 +45,7 @@ using litfog::Light;
 using litfog::SolveStatus;
 
 constexpr const char* kDescription =
-    R"(Computes how brightly a light makes fog glow: the intensity, the range where it peaks, the light's extent and
+    R"(Computes how brightly a light makes fog glow: its intensity, the range of the peak, the light's extent, and its
 airlight.
 
   litfog-solve --constant C --linear L --quadratic Q  FOG  [OPTIONS]
@@ -56,11 +56,10 @@ FOG is --visibility M[,M...], --rvr M[,M...] or --density D[,D...].
 )";
 
 constexpr const char* kExamples =
-    R"(Units: metres, 1/m (density, linear), 1/m^2 (quadratic). The intensity is the largest fraction of the light's
-colour that the fog scatters back along the light's axis: the peak of (1 - f(r)) / (constant + linear r + quadratic r^2),
-its denominator at least 1, for r from 0 to the extent; f(r) is the fraction that the fog transmits. The airlight is
-all that the fog scatters back along the axis: the same fraction 1 / (constant + linear r + quadratic r^2), integrated over
-the opacity 1 - f(r). It is never below the intensity.
+    R"(Units: metres, 1/m (density, linear), 1/m^2 (quadratic). The attenuation is a(r) = 1 / (constant + linear r +
+quadratic r^2), at most 1; f(r) is the fog's transmittance. The intensity is the peak of (1 - f(r)) a(r) for r from 0 to
+the extent, a fraction of the light's colour. The airlight is the fraction that the fog scatters back along the light's
+axis: a(r) integrated over the opacity 1 - f(r). It is never below the intensity.
 
 Examples:
   litfog-solve --constant 1 --quadratic 0.0002 --visibility 50,200,1000
@@ -68,11 +67,11 @@ Examples:
   litfog-solve --light landing-lamp.json headlight.json --fog exp2 --density 0.01 --format json
   litfog-solve --csv rows.csv > solved.csv     rows.csv starts: fog,density,constant,linear,quadratic,threshold
 
-The batch form reads a row a light, in CSV with those six columns in any order; other columns pass through. It appends
-extent,peak_range,intensity,airlight,status. A bad row is kept, with the reason as its status.
+The batch form reads one light per row, in CSV with those six columns in any order; other columns pass through. It
+appends extent,peak_range,intensity,airlight,status. A bad row is kept, with the reason as its status.
 
-Exit status: 0 done; 1 wrong command line; 2 bad input, named file:line:column on standard error (in the batch form the
-good rows are solved all the same); 4 output cannot be written; 5 a solve did not converge.)";
+Exit status: 0 done; 1 wrong command line; 2 bad input, named file:line:column on standard error (the batch form still
+solves the good rows); 4 output cannot be written; 5 a solve did not converge.)";
 
 enum class Method { exact, sampled };
 

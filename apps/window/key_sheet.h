@@ -10,17 +10,17 @@ struct KeyMeaning {
 };
 
 inline constexpr KeyMeaning kKeyMeanings[] = {
-    {"drag", "orbits about what is under the mouse, or looks around"},
+    {"drag", "orbits about the point under the mouse, or looks around"},
     {"right drag", "shifts the view"},
-    {"wheel", "goes nearer to what is under the mouse"},
-    {"W A S D, Q E", "fly, not through walls; with Shift faster"},
+    {"wheel", "approaches the point under the mouse"},
+    {"W A S D, Q E", "fly, with Shift faster; walls stop you"},
     {"click", "picks a lamp"},
     {"Ctrl drag", "moves the picked lamp"},
     {"Del", "removes the picked lamp"},
     {"Ctrl Z, Ctrl Y", "undo and redo changes of lamps"},
     {"Ctrl P", "saves the picture"},
-    {"Ctrl C", "copies the litfog-demo command that draws it, and prints it"},
-    {"F", "shows levels of light by false colours"},
+    {"Ctrl C", "copies and prints the litfog-demo command that draws it"},
+    {"F", "shows light levels in false colours"},
     {"F1, ?", "show these keys"},
 };
 

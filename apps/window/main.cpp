@@ -50,7 +50,7 @@ constexpr double kRestSeconds = 0.5;
 constexpr double kWordsStay = 10'000;  // milliseconds
 
 constexpr const char* kDescription =
-    "Shows a scene lit by lamps in fog in a window, in which fog, lighting, camera and lamps can be changed.";
+    "Shows a scene lit by lamps in fog in a window where fog, lighting, camera and lamps can be changed.";
 
 constexpr const char* kFooter =
     R"(

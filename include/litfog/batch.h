@@ -42,7 +42,7 @@ struct BasicBatchSolutions {
 using BatchSolutions = BasicBatchSolutions<double>;
 using BatchSolutionsF = BasicBatchSolutions<float>;
 
-/// Largest errors of solve_fog_intensities: of the intensity and the extent in ulp, of the peak range relative.
+/// Largest errors of solve_fog_intensities: intensity and extent in ulp, peak range relative.
 inline constexpr double kBatchIntensityMaxUlp = 2;
 template <typename Real>
 inline constexpr double kBatchExtentMaxUlp = std::is_same_v<Real, float> ? 1 : 2;

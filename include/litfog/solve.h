@@ -26,8 +26,8 @@ struct BasicFogIntensity {
 using FogIntensity = BasicFogIntensity<double>;
 using FogIntensityF = BasicFogIntensity<float>;
 
-/// Largest errors of solve_fog_intensity: of the intensity in ulp, of the peak range relative. The float peak range is
-/// the double one, rounded.
+/// Largest errors of solve_fog_intensity: intensity in ulp, peak range relative. The float peak range is the double's,
+/// rounded.
 template <typename Real>
 inline constexpr double kIntensityMaxUlp = std::is_same_v<Real, float> ? 1 : 2;
 inline constexpr double kPeakRangeMaxError = 1e-8;

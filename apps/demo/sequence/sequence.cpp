@@ -128,15 +128,15 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
   app.option_defaults()->group("What changes");
   add_course(
       app, "--visibility", options.visibility, command::kNotNegative, Steps::ratio,
-      "Range in metres at which a fraction of the contrast is left; a range goes by equal ratios (default: what the "
+      "Range in metres at which a fraction of the contrast is left; FROM..TO has equal ratios (default: what the "
       "scene suggests)");
   add_course(app, "--time", options.seconds, drawing::kSeconds, Steps::even,
-             "Seconds for which the scene's cookies and lights have been turning and flashing (default 0)");
-  add_point_course(app, "--camera", options.camera, "Where the eye is, metres (default the scene's)");
-  add_point_course(app, "--target", options.target, "What it looks at, metres (default the scene's)");
+             "Time in seconds, for cookies and lights that turn or flash (default 0)");
+  add_point_course(app, "--camera", options.camera, "The camera's position, metres (default the scene's)");
+  add_point_course(app, "--target", options.target, "The point that it looks at, metres (default the scene's)");
   add_course(app, "--fov-deg", options.field_of_view_deg, drawing::kFieldOfView, Steps::even,
              "Its vertical field of view (default the scene's)");
-  app.add_option("--camera-path", options.camera_path, "Keyframes of the camera in a file, in place of these three")
+  app.add_option("--camera-path", options.camera_path, "Keyframes of the camera in a file, instead of these three")
       ->type_name("FILE.json");
   app.add_option_function<std::vector<std::string>>(
          "--set",
@@ -151,8 +151,8 @@ void add_sequence(CLI::App& app, SequenceOptions& options) {
   command::add_integer(app, "--frames", options.frames, 2, kMaxFrames,
                        fmt::format("How many (default as many as a list or range asks for, else {})", kDefaultFrames));
   command::add_integer(app, "--fps", options.frames_per_second, 1, 100,
-                       "Frames a second of SCENE.apng and the film (default 12)");
-  app.add_option("--film", options.film, "Write a film, too: .mp4 or .webm (needs ffmpeg)")->type_name("FILE");
+                       "Frames per second of SCENE.apng and the film (default 12)");
+  app.add_option("--film", options.film, "Also write a film: .mp4 or .webm (needs ffmpeg)")->type_name("FILE");
 }
 
 Sequence::Sequence(const SequenceOptions& options)

@@ -21,48 +21,48 @@ namespace litfog::scene {
 ///       "name": "headlights",                             optional: the file's name without its ending
 ///       "description": "two headlights on a road",        optional
 ///       "camera": {"position": [0, 1.4, 0], "target": [0, 1, -20], "field_of_view_deg": 45},
-///       "environment": {                                  optional, and each member of it
+///       "environment": {                                  optional, like each of its members
 ///         "ambient": [0.01, 0.01, 0.02], "fog_color": [0.02, 0.02, 0.03],
 ///         "sky_zenith": [0, 0, 0.01], "sky_horizon": [0.01, 0.01, 0.02], "stars": 0.8,
 ///         "moon": {"direction": [0.3, 0.5, -1], "color": [0.02, 0.02, 0.03]}
 ///       },
 ///       "visibilities_m": [500, 150, 50],                 optional: for the gallery; at most 16
-///       "lit_at_vertices": true,                          optional: it shows light at vertices: only a gallery that
-///                                                         names it draws it; default: false
+///       "lit_at_vertices": true,                          optional: it shows light at vertices, and is drawn only by a
+///                                                         gallery that names it; default: false
 ///       "fog_top_m": 120,                                 optional: the height at which rays to the sky leave the fog
 ///                                                         and moonlight enters it (Atmosphere::top_above() and
 ///                                                         light_top()); default: never, any fog hides the sky, and
 ///                                                         1200, from height 0 of the scene
-///       "phase_g": 0.8,                                   optional: short for the phase function hg:0.8
-///       "atmosphere": {                                   optional: what the air is made of
-///         "phase": "droplets:20",                         optional: the fog's phase function, named as kPhaseRule
-///                                                         has it; default: droplets:10
-///         "albedo": 0.9,                                  optional: the fraction of the light taken that the fog
-///                                                         scatters, in [0, 1]; default: 1
+///       "phase_g": 0.8,                                   optional: shorthand for the phase function hg:0.8
+///       "atmosphere": {                                   optional: the air
+///         "phase": "droplets:20",                         optional: the fog's phase function, named by kPhaseRule;
+///                                                         default: droplets:10
+///         "albedo": 0.9,                                  optional: the fog's scattering over extinction, in [0, 1];
+///                                                         default: 1
 ///         "layers": [                                     optional: layers of fog (fog_layers.h)
 ///           {"base_m": 200, "top_m": 300,                 optional: without base or top
-///            "transition_m": 40,                          optional: height of the bands outside it in which its
+///            "transition_m": 40,                          optional: height of the bands outside it in which the
 ///                                                         density falls to 0; default: 0
 ///            "visibility_m": 150}]},                      within it; visibilities_m are those outside the layers
 ///       "display": {"exposure": "auto",                   optional: how its pictures are shown: EV, default 0, or auto;
 ///         "tone": "neutral"},                             or clip, each channel cut at white
-///       "vehicle": {"position": [0, 33, 356],             optional: to which lights are mounted
+///       "vehicle": {"position": [0, 33, 356],             optional: carries mounted lights
 ///         "heading_deg": 4, "pitch_deg": -3, "roll_deg": 2},  optional: 0; right, up in [-90, 90], right wing down
 ///       "lights": [{
 ///         "light": "../lights/headlight.json",            relative to this file, or a light written out here
 ///         "position": [-0.6, 0.7, 0],
 ///         "aim": [-0.6, 0, -30],                          a point, or "direction": [0, -0.02, -1]; default: down
-///         "mount": {"azimuth_deg": 3,                     in their place: where it points as the vehicle sees it, to
-///                   "elevation_deg": -6},                 the right, and up in [-90, 90]; "position" is then to the
+///         "mount": {"azimuth_deg": 3,                     instead of these: its direction from the vehicle, to the
+///                   "elevation_deg": -6},                 right, and up in [-90, 90]; "position" is then to the
 ///                                                         right of the vehicle's, up and back
 ///         "color": [2, 1.9, 1.6],                         optional: instead of the light's own
-///         "cookie": {"image": "beam.exr",                 optional: instead of the light's cone, a cube map as
-///                    "roll_deg": 20, "spin_deg_per_s": 90},  litfog-fit writes it, or "pattern": "disco" or "beacon";
-///                                                         turned about the axis, and on with --time
+///         "cookie": {"image": "beam.exr",                 optional: instead of the light's cone, a cube map from
+///                    "roll_deg": 20, "spin_deg_per_s": 90},  litfog-fit, or "pattern": "disco" or "beacon"; rolled
+///                                                         about the axis, and spinning with --time
 ///         "turn_deg_per_s": 30,                           optional: the axis turns about the vertical with --time,
-///                                                         as heading_deg: to the left where positive
+///                                                         like heading_deg: to the left if positive
 ///         "carried": true,                                optional: by the eye's vehicle; default: false
-///         "repeat": [{"count": 41, "step": [0, 0, -60]}]  optional: a copy at each step, of each copy before
+///         "repeat": [{"count": 41, "step": [0, 0, -60]}]  optional: copies at each step; the next step repeats them
 ///       }],
 ///       "city": {                                         optional: a generated city around the origin (model/city.h)
 ///         "lights": 1000, "seed": 1,                      how many shine, [1, 100000]; optional: 1000, 1
@@ -77,21 +77,21 @@ namespace litfog::scene {
 ///       }]                                                area: x and z of two corners; headings at random
 ///     }
 ///
-/// "aim" moves along with a repeated light. A scene has at most 100,000 lights, 128 of them carried, and 50,000
-/// objects. Coordinates are within 10,000 km, parts of a colour at most 10,000.
+/// "aim" moves with a repeated light. A scene has at most 100,000 lights, 128 of them carried, and 50,000 objects.
+/// Coordinates are within 10,000 km, colour components at most 10,000.
 // clang-format on
 
-/// A value that replaces or adds a member of a scene file. The file is changed before it is read, so that all its rules
+/// A value that replaces or adds a member of a scene file. The change comes before parsing, so all rules of the file
 /// hold.
 ///
 ///     {"lights[0].carried", "true"}
-///     {"lights[0].attenuation.quadratic", "0.002"}      of the light, wherever it is written: lights[0].light may be a
-///     {"city.window.threshold", "0.1"}                  file's name; other lights from that file stay as they are
-///     {"lights[1].threshold", "0.1"}                    of a glTF file: its second light, as a light file states it
-///     {"lights[3]", "{\"light\": ...}"}                 a light more in a file that has three
-///     {"lights[0].aim", "null"}                         no longer stated; {"lights[0]", "null"}: the others move up
+///     {"lights[0].attenuation.quadratic", "0.002"}      the light's, even if lights[0].light is a file's name; other
+///     {"city.window.threshold", "0.1"}                  lights from that file do not change
+///     {"lights[1].threshold", "0.1"}                    in a glTF file: its second light, in terms of a light file
+///     {"lights[3]", "{\"light\": ...}"}                 adds a light to a file that has three
+///     {"lights[0].aim", "null"}                         removes it; {"lights[0]", "null"}: the others move up
 ///
-/// Entries of "lights" with copies change with all of them.
+/// An entry of "lights" with copies changes all of them.
 struct SceneChange {
   std::string member;  ///< as error messages name members
   std::string value;   ///< JSON, or a word that stands for a string: ../lights/street-lamp.json
@@ -100,12 +100,12 @@ struct SceneChange {
 /// The location that errors in a change name.
 inline constexpr const char* kChangePlace = "--set";
 
-/// The member of the file that a change means: an entry's own, or one of the light in it, whose name comes after
-/// ".light" then. Throws InputError where an entry has no such member.
+/// The member of the file that a change means: an entry's own, or its light's, which then comes after ".light". Throws
+/// InputError if an entry has no such member.
 std::string changed_member(const std::string& member);
 
-/// What takes long to make of a scene file, kept from one reading for the next. The files of cookies and glTF scenes
-/// are not read again, so that a change of them goes unnoticed.
+/// The parts of a scene file that take long to make, kept from one reading for the next. The files of cookies and glTF
+/// scenes are not read again, so changes to them go unnoticed.
 struct SceneParts {
   std::map<std::string, Model> models = {};                     ///< by name and parameters
   std::map<std::string, Material> materials = {};               ///< by name

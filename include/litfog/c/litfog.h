@@ -372,8 +372,8 @@ LITFOG_API litfog_status litfog_reach_budget(double step, size_t lights, double 
 // --- sun and moon (litfog/directional_airlight.h) ---
 
 /// Airlight of a directional light along rays: the fraction of the light's colour that the fog scatters into the eye.
-/// The light enters at the atmosphere's top, or at 1200 m above height 0 if that is INFINITY, and at least at the height
-/// of the profile's last knot. A profile that is not 0 above its knots ends 1200 m above the last.
+/// The light enters at the atmosphere's top, or at 1200 m above height 0 if that is INFINITY, and at least at the last
+/// knot's height. A profile that is not 0 above its knots ends 1200 m above the last.
 ///
 /// atmosphere  exp fog
 /// to_light    its length is 1 within LITFOG_DIRECTION_TOLERANCE
@@ -558,9 +558,9 @@ typedef struct litfog_fog_light_changes {
   size_t source_count;
 } litfog_fog_light_changes;
 
-/// What all orders of scattering take of the lights of a kind: members of their litfog_scattering_source.
+/// What all orders of scattering need for a kind's lights: members of their litfog_scattering_source.
 typedef struct litfog_fog_light_source {
-  float intensity;  ///< m^2; 0 of kinds of which no light is on
+  float intensity;  ///< m^2; 0 if none of the kind's lights is on
   float soft_range;
 } litfog_fog_light_source;
 
@@ -609,7 +609,7 @@ LITFOG_API litfog_status litfog_updater_remove(litfog_updater* updater, litfog_l
 LITFOG_API litfog_status litfog_updater_set_fog(litfog_updater* updater, const litfog_fog* fog,
                                                 litfog_fog_light_changes* changes);
 
-/// The same for any atmosphere. Intensities of kinds are those in the fog at the eye's height. A change of the fog, its
+/// The same for any atmosphere. Kinds have their intensities in the fog at the eye's height. A change of the fog, its
 /// layers or its phase function changes only kinds and sources.
 LITFOG_API litfog_status litfog_updater_set_atmosphere(litfog_updater* updater, const litfog_atmosphere* atmosphere,
                                                        double eye_height, litfog_fog_light_changes* changes);

@@ -45,7 +45,7 @@ std::optional<TargetError> find_error(const AttenuationTarget& target);
 /// Colour factor and extent that give a light its candela.
 struct LightEnd {
   double size;    ///< factor on its colour
-  double extent;  ///< of its attenuation, metres
+  double extent;  ///< its attenuation's, metres
 };
 
 /// Largest relative error of candela(light) for a light made by compute_end and fit_attenuation.

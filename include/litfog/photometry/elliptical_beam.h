@@ -22,8 +22,8 @@ struct IsocandelaEllipse {
 /// both half axes must grow, and the intensity must not.
 std::optional<ValueError> find_error(const std::vector<IsocandelaEllipse>& ellipses);
 
-/// Largest errors of elliptical_beam() for ellipses with axis ratios up to 4: of the flux relative; of the intensity,
-/// where it is continuous, as a fraction of the peak.
+/// Largest errors of elliptical_beam() for ellipses with axis ratios up to 4: flux relative; intensity, where it is
+/// continuous, as a fraction of the peak.
 inline constexpr double kEllipticalFluxMaxError = 1e-4;
 inline constexpr double kEllipticalBeamMaxError = 0.03;
 

@@ -10,7 +10,7 @@ namespace litfog {
 
 // clang-format off
 /// Isocandela tables: CSV with commas and decimal points, or with semicolons and decimal points or commas; cells may be
-/// in quotes. Lines that begin with # are comments, of which the first is the light's name. The light's axis is at 0, 0.
+/// in quotes. Lines that begin with # are comments; the first is the light's name. The light's axis is at 0, 0.
 /// The header says which kind of table it is.
 ///
 /// A grid's header has horizontal angles, to the right of the axis. Each row has a vertical angle, above the axis, and
