@@ -78,7 +78,7 @@ class UploadedTable {
 
   void upload(std::span<const Entry> table, std::span<const EntryRange> ranges) {
     Entry garbage;
-    std::memset(&garbage, 0xa5, sizeof garbage);
+    std::memset(static_cast<void*>(&garbage), 0xa5, sizeof garbage);
     entries_.resize(table.size(), garbage);
     bytes = 0;
     for (std::size_t i = 0; i < ranges.size(); ++i) {

@@ -79,7 +79,8 @@ std::vector<std::string> cookie_seeds() {
 }
 
 void read_phase(std::string_view bytes) {
-  if (const auto phase = files::phase_named(bytes)) EXPECT_FALSE(find_error(*phase));
+  const auto phase = files::phase_named(bytes);
+  EXPECT_FALSE(phase && find_error(*phase));
 }
 
 std::vector<std::string> phase_seeds() {
