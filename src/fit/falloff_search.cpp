@@ -57,13 +57,13 @@ constexpr double kRounding = 1e-13;  ///< by which bounds on D are widened
 constexpr std::size_t kMaxEffort = 5'000'000;
 constexpr std::size_t kBoxEffort = 10;
 
-/// Below this D a dark sample's term is taken as its value at 0, without a slope.
+/// Below this D a dark sample's term counts as its value at 0, without a slope.
 constexpr double kMinSmooth = 1e-6;
 
 /// Steps from the reference, as fractions of its D, below which h loses digits: from here on it has twelve.
 constexpr double kMinStep = 0.1;
 
-/// Relative tolerance of the objective for a reference that is no minimum: its slope weakens the bounds only a little.
+/// Relative tolerance of the objective for a reference that is not a minimum: its slope hardly weakens the bounds.
 constexpr double kReferenceTolerance = 1e-8;
 
 /// A number of held samples gets a descent of its own when it has more open boxes than this: it costs as much.
@@ -83,7 +83,7 @@ using Box = std::array<Interval, 3>;
 Coefficients low_corner(const Box& box) { return {box[0].low, box[1].low, box[2].low}; }
 Coefficients high_corner(const Box& box) { return {box[0].high, box[1].high, box[2].high}; }
 
-/// value + slope D, nowhere above a term.
+/// value + slope D, a lower bound of a term.
 struct Line {
   double value;
   double slope;
@@ -104,7 +104,7 @@ struct Plane {
 
 using Matrix = Eigen::Matrix3d;
 
-/// A minimum below this improves on the best known by more than the gap that is left open and rounding.
+/// A minimum below this improves on the best known by more than the open gap and rounding.
 double wanted_objective(const Falloff& falloff, const FalloffMinimum& best) {
   return best.objective - std::max(kGap * best.objective, falloff.negligible());
 }
@@ -112,7 +112,7 @@ double wanted_objective(const Falloff& falloff, const FalloffMinimum& best) {
 /// The search with the first samples held by the clamp: a problem for branch_and_bound.
 class HeldSearch {
  public:
-  /// held_cost  what the held samples cost, together
+  /// held_cost  total cost of the held samples
   HeldSearch(const Falloff& falloff, std::size_t held_count, double held_cost, FalloffMinimum& best)
       : falloff_(falloff), held_count_(held_count), held_cost_(held_cost), best_(best) {
     for (const auto& [x, y, weight] : falloff.samples)
@@ -130,7 +130,7 @@ class HeldSearch {
 
   bool is_closed(double bound) const { return bound > wanted_objective(falloff_, best_); }
 
-  /// Shrinks the box to where each D is within its bounds. Once: what a second pass removes the next box's first does.
+  /// Shrinks the box until each D is within its bounds, in one pass: a second pass is left to the next box.
   bool contract(Box& box) const {
     for (const Term& term : terms_) {
       if (!contract(box, term.powers, term.d)) return false;
@@ -151,7 +151,8 @@ class HeldSearch {
     return bound;
   }
 
-  /// Along the coefficient that changes some D the most, relative to its size; below 1 the clamp hides all changes.
+  /// Splits the box along the coefficient that changes some D the most, relative to its size; below 1 the clamp hides
+  /// all changes.
   std::optional<std::array<Box, 2>> split(const Box& box) const {
     const Coefficients point = middle(box);
     Coefficients change{};
@@ -168,7 +169,7 @@ class HeldSearch {
     double at = (low + high) / 2;
     if (low > 0 && high > 8 * low) at = std::sqrt(low) * std::sqrt(high);
     if (low == 0) at = high / 8;
-    if (!(at > low && at < high)) return std::nullopt;  // neighbouring numbers
+    if (!(at > low && at < high)) return std::nullopt;  // neighbouring floating-point numbers
     std::array<Box, 2> halves{box, box};
     halves[0][widest].high = halves[1][widest].low = at;
     return halves;
@@ -186,12 +187,12 @@ class HeldSearch {
     double x;
     Powers powers;
     double y, weight;
-    Interval d;                           ///< where the objective can be better than the best known
+    Interval d;                           ///< in which the objective can be better than the best known
     double reference_d, log_reference_d;  ///< D of the reference
     Line tangent;                         ///< there; of a held sample, a line that is at most 0 up to D = 1
   };
 
-  /// Where a term's D lies in a box.
+  /// The range of a term's D in a box.
   struct Range {
     Interval d, log_d;
   };
@@ -209,7 +210,7 @@ class HeldSearch {
   bool is_held(std::size_t i) const { return i < held_count_ && terms_[i].y > 0; }
 
   double cost(const Term& term, double log_d) const { return term.weight * falloff_.loss.value(log_d - term.y); }
-  /// The term's minimum where D is in a range.
+  /// The term's minimum for D in a range.
   double least_cost(const Term& term, const Range& range) const {
     const double log_d = std::clamp(term.y, range.log_d.low, range.log_d.high);
     return cost(term, term.y == 0 ? std::max(0.0, log_d) : log_d);
@@ -221,7 +222,7 @@ class HeldSearch {
   }
   bool is_convex_to(const Term& term, double log_d) const { return log_d <= term.y + falloff_.loss.convex_limit(); }
 
-  /// What depends on the best known minimum.
+  /// Recomputes all that depends on the best known minimum.
   void restart() {
     bound_denominators();
     refer_to(best_.coefficients);
