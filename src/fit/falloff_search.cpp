@@ -296,7 +296,7 @@ class HeldSearch {
   static bool contract(Box& box, const Powers& x, const Interval& d) {
     for (std::size_t j = 0; j < 3; ++j) {
       if (!(x.power[j] > 0)) continue;
-      double low = 0, high = 0;  // what the others add up to
+      double low = 0, high = 0;  // sums of the others
       for (std::size_t k = 0; k < 3; ++k) {
         if (k == j || !(x.power[k] > 0)) continue;
         low += x.power[k] * box[k].low;
@@ -313,7 +313,7 @@ class HeldSearch {
     return true;
   }
 
-  /// A point in the box that meets the end.
+  /// A point in the box on the end's plane.
   Coefficients middle(const Box& box) const {
     double fraction = 0.5;
     if (falloff_.end) {
@@ -327,7 +327,7 @@ class HeldSearch {
     return point;
   }
 
-  /// Lower bound of the objective without the held samples' cost.
+  /// Lower bound of the objective minus the held samples' cost.
   double lower_bound(const Box& box) {
     const Coefficients low = low_corner(box), high = high_corner(box), point = middle(box);
     for (std::size_t i = 0; i < terms_.size(); ++i) {
@@ -350,8 +350,8 @@ class HeldSearch {
     return bound;
   }
 
-  /// Whether all terms are convex in the box and from there to the reference: then the lines are tangents, and no
-  /// curvature takes anything from them.
+  /// Whether all terms are convex in the box and from there to the reference. Then the lines are tangents, and
+  /// curvature cannot lower the bound.
   bool is_convex() const {
     for (std::size_t i = 0; i < terms_.size(); ++i) {
       const double most = std::max(ranges_[i].log_d.high, terms_[i].log_reference_d);
@@ -406,7 +406,7 @@ class HeldSearch {
   }
 
   /// A line below a term in its range: the tangent at a point, at its low end, or the chord. A tangent to the convex
-  /// part is below all of the term if it is so at the high end; where the one at the low end is not, the chord is.
+  /// part is below the whole term if it is so at the high end; if the tangent at the low end is not, the chord is.
   Line line_below(const Term& term, const Range& range, double point) const {
     const Interval d = range.d, log_d = range.log_d;
     const bool is_convex = is_convex_to(term, log_d.high);
@@ -426,7 +426,7 @@ class HeldSearch {
     return {at_low - slope * d.low, slope};
   }
 
-  /// A lower bound of h of inequality 2, about the reference, where a term's D is in a range.
+  /// A lower bound of h of inequality 2, about the reference, for a term's D in a range.
   double least_curvature(const Term& term, const Range& range) const {
     const double r = term.reference_d, z = term.log_reference_d - term.y;
     for (const bool is_high : {true, false}) {
@@ -478,14 +478,14 @@ class HeldSearch {
     return 1.5 * std::min(0.0, smallest);  // half, times the squared length of at most 3
   }
 
-  /// The smallest value of a linear function on the box, where it meets the end.
+  /// The smallest value of a linear function on the box, on the end's plane.
   double smallest_of(const Coefficients& slope, const Box& box) const {
     if (!falloff_.end) {
       double value = 0;
       for (std::size_t j = 0; j < 3; ++j) value += slope[j] * (slope[j] > 0 ? box[j].low : box[j].high);
       return value;
     }
-    // From the low corner up to the end, first along what costs least for what it adds there.
+    // From the low corner up to the end, first along the coefficient of least cost per rise there.
     const double e = falloff_.end->x;
     const Coefficients power{1, e, e * e};
     std::array<std::size_t, 3> order{0, 1, 2};
@@ -509,9 +509,9 @@ class HeldSearch {
   double held_cost_;
   FalloffMinimum& best_;
   std::vector<Term> terms_;
-  std::vector<Range> ranges_;  ///< one a term that is not held, in the current box
+  std::vector<Range> ranges_;  ///< one per term that is not held, in the current box
   Coefficients reference_{};
-  bool is_reference_smooth_ = false;  ///< each term has a tangent there
+  bool is_reference_smooth_ = false;  ///< each term has a tangent at the reference
   bool has_own_reference_ = false;    ///< other than the best known minimum
   std::size_t boxes_left_ = 0;        ///< open after the first bound
 };
