@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// How a picture is composed. With f the transmittance of the fog before a surface or the sky S, and A the airlight of all
-// lamps before it,
+// How a picture is composed. With f the transmittance of the fog before a surface or the sky S, and A the airlight of
+// all lamps before it,
 //
 //     picture = f S + (1 - f) ambient fog + A.
 //
