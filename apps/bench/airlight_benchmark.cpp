@@ -23,8 +23,8 @@ namespace {
 using test::AirlightCase;
 
 struct Scale {
-  std::size_t rays;        ///< a mix
-  std::size_t references;  ///< timed: the first of them
+  std::size_t rays;        ///< per mix
+  std::size_t references;  ///< number timed by the reference: the first rays
   StopwatchSettings stopwatch;
 };
 constexpr Scale kFull{4000, 100, {15, 0.02}};
@@ -40,7 +40,7 @@ struct Problem {
   LampLeg lamp_leg;
   std::vector<AirlightCase> rays;
   std::vector<double> references = {};
-  std::vector<double> results = {};  ///< where the passes store
+  std::vector<double> results = {};  ///< written by the passes
 
   Problem(AirlightMix which, FogMode fog_mode, LampLeg leg, std::size_t count)
       : mix(which), fog(fog_mode), lamp_leg(leg), rays(draw_airlight_mix(which, fog_mode, leg, count, kSeed)) {
@@ -63,11 +63,11 @@ struct Errors {
   double p99_relative;
 };
 
-/// A method and what was measured of it.
+/// A method and its measurements.
 struct Measurement {
   Method method;
   Timing timing;
-  std::optional<Errors> errors;  ///< none of the reference
+  std::optional<Errors> errors;  ///< nothing for the reference
 };
 
 Errors errors_of(const Problem& problem) {
@@ -115,7 +115,8 @@ std::vector<Method> methods_of(Problem& problem, const SunTable& table, std::siz
   return methods;
 }
 
-/// Time against error over one mix in exp fog with the lamp's leg: a line over the numbers of nodes, or a point.
+/// Time against error over one mix in exp fog that also dims the lamp's leg: a line over the numbers of nodes, or a
+/// point.
 command::Chart draw_pareto(const std::string& title, AirlightMix mix, double least_error,
                            const std::vector<Measurement>& measurements) {
   command::Chart chart{.title = title,
@@ -133,7 +134,7 @@ command::Chart draw_pareto(const std::string& title, AirlightMix mix, double lea
            .style = method.nodes ? command::SeriesStyle::line_and_points : command::SeriesStyle::points,
            .color = method.name == kLitfogName ? 0 : int(chart.series.size()) + 1});
     }
-    const double error = std::max(errors->max_255, chart.y.least);  // exactly 0 stands at the axis's end
+    const double error = std::max(errors->max_255, chart.y.least);  // 0 is drawn at the axis's end
     command::Series& series = chart.series.back();
     series.points.push_back({timing.median, error, method.nodes ? std::to_string(*method.nodes) : "",
                              chart.series.size() == 1 ? command::LabelPlace::above : command::LabelPlace::below});
@@ -166,7 +167,7 @@ Result measure_airlight(bool quick) {
     for (const FogMode fog : {FogMode::exp, FogMode::exp2}) {
       const bool is_exp_alone = mix != AirlightMix::point && mix != AirlightMix::any;
       if (is_exp_alone && fog == FogMode::exp2)
-        continue;  // no rival knows it, or exp2 fog has no such phase functions and layers
+        continue;  // no rival supports it, or exp2 fog has no such phase functions and layers
       for (const LampLeg lamp_leg : {LampLeg::fogged, LampLeg::clear}) {
         progress.show(fmt::format("references of lights: {}, {} fog", name_of(mix), name_of(fog)));
         problems.emplace_back(mix, fog, lamp_leg, scale.rays);
@@ -188,7 +189,7 @@ Result measure_airlight(bool quick) {
     const Method& method = methods[i];
     measurements.push_back({method, timings[i], std::nullopt});
     if (method.name == kReferenceName) continue;
-    method.pass.run();  // the results of this method, not of the one timed last
+    method.pass.run();  // restores this method's results, which the last one timed has overwritten
     const Errors errors = errors_of(*method.problem);
     measurements.back().errors = errors;
     const bool is_stated = method.name == kLitfogName && (method.problem->mix == AirlightMix::point ||

@@ -54,7 +54,7 @@ class Ray {
 
   Stretch all() const { return {-approach_, length_ - approach_}; }
 
-  /// What of a stretch lies before the fog leaves 1e-4; in layers, the thinnest of it, and before 100 km.
+  /// The part of a stretch before the transmittance is 1e-4; with layers by the thinnest fog, and before 100 km.
   Stretch in_reach(const Stretch& stretch) const {
     constexpr double kDepth = 9.2, kFarPlane = 1e5;
     const double density =
@@ -62,7 +62,7 @@ class Ray {
     return {stretch.low, std::min(stretch.high, (is_exp_ ? kDepth : std::sqrt(kDepth)) / density - approach_)};
   }
 
-  /// Inside the lamp's sphere and cone.
+  /// The stretch inside the lamp's sphere and cone.
   Stretch lit() const {
     const double extent = compute_extent(attenuation_, threshold_);
     if (offset_ >= extent) return {0, 0};
@@ -76,7 +76,7 @@ class Ray {
     return formulas::opacity(depth(s, eye_height_, eye_height_ + slope_ * s));
   }
 
-  /// What reaches a point of the ray and is scattered into the eye: the integrand without -f'(s).
+  /// Light that reaches a point of the ray and is scattered into the eye: the integrand without -f'(s).
   double source(double x) const {
     const double r = range(x);
     double value = formulas::attenuation(r, attenuation_.constant, attenuation_.linear, attenuation_.quadratic);
@@ -88,7 +88,7 @@ class Ray {
   }
 
  private:
-  /// Of a line between two heights.
+  /// Optical depth of a line between two heights.
   double depth(double range, double height_a, double height_b) const {
     if (is_layered_) return air_.fog_between(height_a, height_b).density * density_scale_ * range;
     return is_exp_ ? formulas::depth_exp(range, density_) : formulas::depth_exp2(range, density_);
@@ -119,14 +119,14 @@ class Ray {
   bool is_layered_;
   double eye_height_;
   double lamp_height_;
-  double slope_;  // metres of height a metre of the ray
+  double slope_;  // height per length of the ray
   bool is_exp_;
   bool is_fogged_;
   Phase phase_;
   double length_;
   double approach_;     // metres from the eye to the closest approach
   double offset_;       // metres from there to the lamp
-  double axis_offset_;  // the part of offset_ along the cone's axis
+  double axis_offset_;  // component of the offset along the cone's axis
   double axis_slope_;   // cosine between ray and axis
 };
 
@@ -197,7 +197,7 @@ double pegoraro_airlight(const test::AirlightCase& c) {
   const auto [low, high] = ray.lit();
   const double h = ray.offset(), depth = ray.density() * h;
   // With v = (x + r) / h both legs are e^(-depth v), and dx / r^2 is 2 / h dv / (1 + v^2). 1 / (1 + v^2) is the
-  // imaginary part of 1 / (v - i), whose integral with e^(-depth v) is that of E1.
+  // imaginary part of 1 / (v - i), whose integral with e^(-depth v) is an E1.
   const auto integral_from = [&](double x) {
     const double r = ray.range(x), v = x < 0 ? h / (r - x) : (x + r) / h;
     if (!std::isfinite(v)) return 0.0;

@@ -11,24 +11,24 @@
 
 namespace litfog::bench {
 
-/// What a benchmark found.
+/// The result of a benchmark.
 struct Result {
   command::Table table;
-  command::Figure figure;             ///< without charts for a benchmark that draws none
-  std::string gl_renderer = "none";   ///< what drew
-  std::vector<std::string> failures;  ///< sentences: where litfog itself missed an error that it states
+  command::Figure figure;             ///< no charts for a benchmark that draws none
+  std::string gl_renderer = "none";   ///< GL_RENDERER
+  std::vector<std::string> failures;  ///< sentences: where litfog exceeded its own stated error
 };
 
 /// Time against error of every method to find a light's fog colour intensity, over the mix of light_mix.h. Columns:
 ///
 /// method         hales-N, hales-N-simd, boost-brent, exact, batch, memory-copy;
 ///                batch-uncached (exp fog only) and memory-copy-uncached over more lights than the caches hold
-/// precision      float or double, of arguments, computation and result
+/// precision      of arguments, computation and result: float or double
 /// fog            exp or exp2; empty for the copies
 /// ns_per_light   processor time of one thread: the median over repetitions
-/// ns_spread      from its 10th to its 90th percentile
+/// ns_spread      from the 10th to the 90th percentile
 /// max_ulp, mean_ulp              error in units of the precision's last place at the 50-digit reference
-/// max_error_255, mean_error_255  error in steps of an 8-bit colour channel; empty for the copies, as the former two
+/// max_error_255, mean_error_255  error in steps of an 8-bit colour channel; both errors are empty for the copies
 ///
 /// quick  fewer lights, shorter runs: to see that it works
 Result measure_solve(bool quick);
@@ -40,39 +40,39 @@ Result measure_solve(bool quick);
 /// nodes          steps of a march; empty for the other methods
 /// fog            exp or exp2
 /// lights         point, g-0.85, droplets, layers, any or inverse-square: the mix
-/// lamp_leg       k: 1 where the fog dims the light on its way from the lamp, too, else 0
+/// lamp_leg       k: 1 if the fog also dims the light on its way from the lamp, else 0
 /// ns_per_ray     processor time of one thread: the median over repetitions
 /// ns_spread      from its 10th to its 90th percentile
 /// max_error_255  largest error in steps of an 8-bit colour channel, relative where the airlight is above 1; empty for
-///                the reference, as the next
-/// p99_relative   99th percentile of the relative error
+///                the reference
+/// p99_relative   99th percentile of the relative error; empty for the reference
 ///
 /// quick  fewer rays, shorter runs: to see that it works
 Result measure_airlight(bool quick);
 
-/// What an eye sees in exp fog that carries a lamp and looks along its axis, for four lamps that come with litfog, over
+/// The fog's light in exp fog for an eye that carries a lamp and looks along its axis, for four bundled lamps, over
 /// visibilities of 1 m to 20 km. Columns:
 ///
 /// lamp            file of the light in data/lights
 /// visibility_m    at 5 % contrast
 /// peak            fog colour intensity
-/// airlight_k0     axial airlight: without the lamp's own leg through the fog
+/// airlight_k0     axial airlight, without extinction on the lamp's leg
 /// airlight_k1     airlight with it, by the fast form
 /// reference_k0, reference_k1  the same by the reference
-/// max_error_255   largest difference of the two, in steps of an 8-bit colour channel
+/// max_error_255   largest difference from the reference, in steps of an 8-bit colour channel
 ///
 /// quick   fewer visibilities
-/// throws  InputError where the lamps are not there
+/// throws  InputError if the lamps are missing
 Result measure_lamps(bool quick);
 
-/// Light that endless uniform fog of albedo 1 scatters from a point lamp to the eye twice and more often, by
+/// Light that endless uniform fog of albedo 1 scatters from a point lamp to the eye twice or more often, by
 /// measure::RadialScattering: M / (I d^2) in the unit of airlight(), for the law a(r) = I / r^2 in fog of density d. It
-/// depends on the phase function, the depth tau from eye to lamp and the angle between the ray and the direction to the
-/// lamp. A row has all angles of a phase function and a depth. Columns:
+/// depends on the phase function, the optical depth tau from eye to lamp and the angle between the ray and the
+/// direction to the lamp. A row has all angles for a phase function and a depth. Columns:
 ///
 /// phase                hg or droplets
 /// parameter            g, or micrometres
-/// tau                  depth
+/// tau                  optical depth
 /// 0.2 deg ... 180 deg  M / (I d^2) at an angle, five digits
 /// max_error            largest relative error in the row: the change of a number when a third of the nodes is left out
 ///
@@ -85,28 +85,28 @@ Result tabulate_scattering(bool quick);
 ///
 /// phase            hg or droplets
 /// parameter        g, or micrometres
-/// tau              depth between lamp and eye
+/// tau              optical depth between lamp and eye
 /// angle_deg        angle between the ray and the direction to the lamp
 /// method           reference; single: airlight(); all: the same plus multiple_scattering(); apsf-2003 (tau above 1);
 ///                  gaussian-2004; octaves-2013, in 16 steps; walk: walk_scattering()
 /// glow             light over I d^2, for the law a(r) = I / r^2 in fog of density d
 /// glow_error       standard error of walk; else empty
-/// relative_error   against the reference; that of walk has its chance in it
-/// ns_per_ray       processor time of one thread, the median over repetitions, for the mean of the angles; not of walk
+/// relative_error   against the reference; the walk's includes its own noise
+/// ns_per_ray       processor time of one thread, median over repetitions, mean over the angles; empty for walk
 ///
 /// quick  fewer angles, a coarser reference and shorter walks
 Result draw_glow(bool quick);
 
 /// One lamp, 100 m away in endless fog of droplets of 10 micrometres, at six visibilities (columns), with its light
 /// scattered once, in all orders by litfog, and in all orders by measure::RadialScattering (rows). A column has the
-/// exposure that is chosen for its last picture. The lamp's direct light lies on a disc of a few pixels.
+/// automatic exposure of its last picture. The lamp's direct light is a disc of a few pixels.
 ///
 /// quick   small pictures and a coarser reference
 /// returns the bytes of a PNG file
-/// throws  image::ImageError where no font is found for its letters
+/// throws  image::ImageError if no font is found
 std::string draw_glow_strip(bool quick);
 
-/// A visibility that sinks from 10,000 to 50 m and rises again, step by step, over many lights of few kinds, all of
+/// A visibility that falls from 10,000 to 50 m and rises again, step by step, over many lights of few kinds, all of
 /// them carried and switched on. Columns:
 ///
 /// method         updater (FogUpdater with its default budget), updater-no-skip (with budget 0), batch-of-all (no
@@ -116,39 +116,38 @@ std::string draw_glow_strip(bool quick);
 /// lights, kinds, steps
 /// ms_per_step    processor time of one thread: the median over the steps
 /// ms_spread      from its 10th to its 90th percentile
-/// bytes_per_step what has to be uploaded to the GPU after a step, the fog included: the most of all steps
+/// bytes_per_step bytes to upload to the GPU after a step, with the fog: the maximum over the steps
 /// skipped_share  fraction of the lights whose kind was not solved, mean over the steps
 /// max_deviation_255  largest difference of colour times intensity from solving everything exactly, in 1/255
 ///
 /// quick  fewer lights and steps: to see that it works
 Result measure_update(bool quick);
 
-/// An hour of a simulator at 60 steps a second, as fast as it goes: in each step the visibility moves, lights flash,
-/// are moved, switched, taken away and added as others. Columns:
+/// An hour of a simulator at 60 steps a second, as fast as possible: in each step the visibility changes, and lights
+/// flash, move, are switched, removed and added as others. Columns:
 ///
 /// lights, kinds, steps
-/// ms_per_step, ms_99, ms_worst  processor time of a step, the shorter of two runs that do the same: the median, the
-///                               99th percentile, the longest
-/// resident_mib, grown_mib       memory of the process in the end, and how much came after a twentieth of the steps
-/// max_deviation_255             largest difference of an intensity in the end from its exact value, in 1/255
+/// ms_per_step, ms_99, ms_worst  processor time of a step, the shorter one of two equal runs: median, 99th percentile,
+///                               maximum
+/// resident_mib, grown_mib       memory of the process at the end, and its growth after a twentieth of the steps
+/// max_deviation_255             largest difference of an intensity at the end from its exact value, in 1/255
 ///
 /// quick  fewer lights and steps: to see that it works
 Result measure_load(bool quick);
 
-/// C, L and Q from falloff tables of 20 samples, by litfog and by Ceres as one would first use them.
-/// Columns:
+/// C, L and Q from falloff tables of 20 samples, by litfog and by a plain use of Ceres. Columns:
 ///
 /// problem       exact: samples of a light of 1 to 1,000 m; noise-2 and noise-20: off by 2 and 20 per cent (standard
 ///               deviation); outliers: 2 %, and one in eight off by a factor of 2 to 20; clamped: C < 1, 2 %; far: a
 ///               light of 10 to 1,000 km, 2 %; near: of 1 to 100 mm, 2 %
 /// method        litfog (fit_attenuation, proof of the global optimum included); ceres (bounds at 0, default options,
 ///               start C = L = Q = 1)
-/// tables        of the problem
-/// ms            processor time of one thread a table: the median over repetitions
-/// ms_spread     from its 10th to its 90th percentile
+/// tables        number of tables in the problem
+/// ms            processor time of one thread per table: the median over repetitions
+/// ms_spread     from the 10th to the 90th percentile
 /// objective     mean over the tables
 /// solved_share  fraction of the tables whose objective is within 0.1 % of the optimum's (and 1e-20)
-/// digits        the fewest over the tables in which ln attenuation agrees with the optimum's at all samples, up to 17
+/// digits        in which ln attenuation agrees with the optimum's at all samples, up to 17: the fewest of all tables
 ///
 /// The optimum is the best found by any method, brought to 50 digits and certified there.
 ///
@@ -161,20 +160,20 @@ Result measure_fit(bool quick);
 /// scene, path          path also: unlit, the base texture alone; plain, the rival (PlainRenderer), which skips nothing
 /// fog_light            peak: carried lights light the fog by their fog colour intensity; airlight (unified
 ///                      only): every light by its airlight
-/// lights, size         of the scene; WIDTHxHEIGHT in pixels
-/// samples              a pixel
-/// skip                 on or off: whether what cannot be visible is left out
+/// lights, size         in the scene; WIDTHxHEIGHT in pixels
+/// samples              per pixel
+/// skip                 on or off: whether invisible surfaces and lights are left out
 /// ms_per_frame         wall time: the median over frames, each drawn and waited for
-/// ms_spread            from their 10th to their 90th percentile
-/// ratio_to_legacy      of the medians; legacy's of the same scene, lights, size and skip, frames interleaved
-/// ratio_to_two_light_legacy  of the medians; legacy's of two lights, else the same, interleaved, too
-/// ratio_to_plain       of the medians, interleaved, too; empty with more than kMaxPlainLights lights
+/// ms_spread            from the 10th to the 90th percentile
+/// ratio_to_legacy      of medians, to legacy with the same scene, lights, size and skip, frames interleaved
+/// ratio_to_two_light_legacy  of medians, to legacy with two lights, else the same, frames interleaved
+/// ratio_to_plain       of medians, to plain, frames interleaved; empty with more than kMaxPlainLights lights
 /// max_error_255, mean_error_255  against the path's plain formulas in double (shade_reference), in steps of an 8-bit
 ///                      colour channel; empty for unlit and plain
 /// excepted_pixels      too close to a jump of the model to be compared
 ///
-/// The picture shows frame time over the number of lights and, beside this machine's, table 1 of Steven Hales 2004,
-/// "Realtime Pixel Lighting Using Fragment Programs".
+/// The picture shows frame time over the number of lights, and table 1 of Steven Hales 2004, "Realtime Pixel Lighting
+/// Using Fragment Programs", beside this machine's.
 ///
 /// quick   one scene, small, few lights: to see that it works
 /// throws  gl::Unsupported where there is no OpenGL 3.3 through EGL
@@ -184,14 +183,14 @@ Result measure_render(bool quick);
 /// visibility that it suggests. Columns:
 ///
 /// scene, phase     phase: isotropic or g-0.85; empty: the scene's
-/// lights           of the scene
-/// fog_light        peak: of carried lights the fog colour intensity; single: of every light the airlight that fog
-///                  scatters once; all: that of all orders
+/// lights           in the scene
+/// fog_light        peak: the fog colour intensity of carried lights; single: the airlight of every light, scattered
+///                  once; all: in all orders
 /// ms_per_frame     wall time: the median over frames, each drawn and waited for, the three fog lights' interleaved
-/// ms_spread        from their 10th to their 90th percentile
-/// ratio_to_peak, ratio_to_single  of the medians
-/// bytes_uploaded   for a frame
-/// max_error_255, mean_error_255   of a picture of 16x9, as for render
+/// ms_spread        from the 10th to the 90th percentile
+/// ratio_to_peak, ratio_to_single  of medians
+/// bytes_uploaded   per frame
+/// max_error_255, mean_error_255   of a picture of 16x9, as in measure_render()
 ///
 /// quick   one scene, small: to see that it works
 /// throws  gl::Unsupported where there is no OpenGL 3.3 through EGL
@@ -204,38 +203,38 @@ Result measure_frames(bool quick);
 /// scene, lights, size, samples  of the frame; size is WIDTHxHEIGHT in pixels
 /// rejection             none, front-to-back or depth-pass
 /// ms_per_frame          wall time: the median over frames, each drawn and waited for
-/// ms_spread             from their 10th to their 90th percentile
-/// ratio_to_none         of the medians, frames interleaved
-/// layers_passed         samples of surfaces and sky that pass the depth test, also in a pass of depths alone, over the
-///                       picture's samples: what has to be shaded at least
-/// fragments_per_pixel   for which the driver says that it ran a shader (GL_ARB_pipeline_statistics_query; empty where
-///                       it lacks that). llvmpipe counts fragments that it rejects, too.
+/// ms_spread             from the 10th to the 90th percentile
+/// ratio_to_none         of medians, frames interleaved
+/// layers_passed         samples of surfaces and sky that pass the depth test, also in a depth pass, over the picture's
+///                       samples: the least that must be shaded
+/// fragments_per_pixel   shader runs that the driver reports (GL_ARB_pipeline_statistics_query; empty without it).
+///                       llvmpipe also counts rejected fragments.
 ///
 /// quick   one scene, small, two lights: to see that it works
 /// throws  gl::Unsupported where there is no OpenGL 3.3 through EGL
 Result measure_rejection(bool quick);
 
-/// Hales's light maps over their size: memory of the 3-D range map and of the pair of 2-D maps, and the error of the
-/// picture that is drawn by them. The scene is `headlights` by its two headlights, in exp2 fog. Columns:
+/// Hales's light maps over their size: memory of the 3-D range map and of the pair of 2-D maps, and the error of
+/// pictures drawn with them. The scene is `headlights` with its two headlights, in exp2 fog. Columns:
 ///
 /// path            lookup-3d or lookup-2d
-/// map_size        texels a side of the 3-D map and of the cube map's faces
-/// pair_size       of the 2-D maps; 0: none
+/// map_size        texels along a side of the 3-D map and of the cube map's faces
+/// pair_size       texels along a side of the 2-D maps; 0: none
 /// range_kib       memory of a light shape's range map, and of the pair's distance map
-/// cone_kib        of its cube map
+/// cone_kib        memory of its cube map
 /// max_error_255, mean_error_255   against the formulas in double
-/// p99_error_255   all but one in a hundred pixels err by less
+/// p99_error_255   99th percentile over the pixels
 ///
 /// quick   fewer sizes
-/// throws  gl::Unsupported, InputError where the scene is not there
+/// throws  gl::Unsupported, InputError if the scene is missing
 Result measure_maps(bool quick);
 
 /// A flight of 300 frames through the streets of a city at night, with 100 to 100,000 of its lights, at four
 /// visibilities in exp fog. A light's range is its reach in the fog, beyond which all lights together add less than
-/// half a step of the display, and the view ends where fog hides what is as bright as a display's white. Columns:
+/// half a step of the display. The view ends where fog hides a display's white. Columns:
 ///
-/// method         clusters (LightClusters at each frame of the flight), clusters-one-light (the view stands and one
-///                light changes), clusters-fog (a change of the visibility: reaches, ranges and clusters); frame (a
+/// method         clusters (LightClusters at each frame of the flight), clusters-one-light (in a still view one light
+///                changes), clusters-fog (a change of the visibility: reaches, ranges and clusters); frame (a
 ///                picture of 320x180 by the default path, fog lit by peak, from the scene's camera), frame-airlight
 ///                (the same, fog lit by airlight, up to 1000 lights), frame-of-those (the same scene by peak with only
 ///                the lights that matter there), frame-flight (the same picture at each frame of the flight, with
@@ -253,10 +252,10 @@ Result measure_maps(bool quick);
 /// ratio_to_those frame: ms over that of frame-of-those
 /// max_error_255  frame: largest difference between the two pictures, in steps of the display (measure::PictureError)
 ///
-/// Pictures that differ by more than both may leave out are a failure.
+/// It is a failure if the two pictures differ by more than both may leave out.
 ///
 /// quick   fewer lights, visibilities and frames
-/// throws  gl::Unsupported, InputError where the city is not there
+/// throws  gl::Unsupported, InputError if the city is missing
 Result measure_city(bool quick);
 
 }  // namespace litfog::bench

@@ -34,14 +34,14 @@ constexpr int kHeight = 180;
 constexpr double kBudget = 0.5 / 255;  // fraction of a display's white
 constexpr double kFarthest = 4000;     // metres: beyond the city
 constexpr double kMaxLostSteps =
-    2;  // steps of the display: half is left out here, and either frame leaves out up to 3/4
+    2;  // steps of the display: half a step is left out here, and each frame leaves out up to 3/4
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Scale {
   std::vector<double> visibilities;
   std::vector<std::size_t> lights;
-  std::size_t most_drawn;       ///< lights, of frames
-  std::size_t most_airlit;      ///< lights, of frames by airlight
+  std::size_t most_drawn;       ///< lights, in frames
+  std::size_t most_airlit;      ///< lights, in frames by airlight
   std::size_t drawn_in_flight;  ///< lights
   int flight_frames;
   int still_frames;
@@ -115,7 +115,7 @@ struct Trial {
   std::string method;
   double visibility;
   std::size_t lights;
-  std::vector<double> matter = {};  ///< a value a frame, as in those that follow
+  std::vector<double> matter = {};  ///< one value per frame, as in the next members
   std::vector<double> entries = {};
   std::vector<double> milliseconds = {};       ///< processor time
   std::vector<double> wall_milliseconds = {};  ///< wall time of frames
@@ -125,14 +125,14 @@ struct Trial {
   double median() const { return measure::quantile(milliseconds, 0.5); }
 };
 
-/// Notes the times of a frame.
+/// Records the times of a frame.
 void time_frame(Trial& trial, render::Renderer& renderer) {
   const command::WallTimer wall;
   trial.milliseconds.push_back(time_of(process_milliseconds, [&] { renderer.draw(); }));
   trial.wall_milliseconds.push_back(wall.milliseconds());
 }
 
-/// A city and how it is measured.
+/// Measures a city.
 class CityTrials {
  public:
   explicit CityTrials(const Scale& scale)
@@ -151,7 +151,7 @@ class CityTrials {
         lights.bound_lights(clusters, other, kBudget);
         clusters.update(first);
       });
-      if (i > 0) note(change, clusters, time);  // the first one is set up
+      if (i > 0) note(change, clusters, time);  // the first one is set-up
     }
     lights.bound_lights(clusters, air, kBudget);
 
@@ -171,7 +171,7 @@ class CityTrials {
     }
   }
 
-  /// A frame from the scene's camera with `count` lights, and one with those of them that matter there.
+  /// Measures a frame from the scene's camera with `count` lights, and one with only the lights that matter there.
   void measure_frames(double visibility, std::size_t count) {
     scene::Scene all = city_;
     all.lights.resize(count);
@@ -193,7 +193,7 @@ class CityTrials {
     frame.max_error = measure::picture_error(with_all->read(), {picture, picture, picture, no_jumps}).largest;
   }
 
-  /// A frame from the scene's camera with the airlight of the first `count` lights in view.
+  /// Measures a frame from the scene's camera with the airlight of the first `count` lights in view.
   void measure_airlight(double visibility, std::size_t count) {
     scene::Scene scene = city_;
     const ViewFrustum frustum(view_of(scene.camera, kInfinity));
@@ -236,7 +236,7 @@ class CityTrials {
     return view_of(camera_at(double(frame) / scale_.flight_frames, city_.camera.field_of_view), visibility);
   }
 
-  /// Has drawn a frame, because drivers compile shaders when they are first drawn with.
+  /// A renderer that has drawn a frame, because drivers compile shaders at their first draw call.
   static std::unique_ptr<render::Renderer> renderer_of(const scene::Scene& scene, double visibility,
                                                        render::FogLighting fog_lighting = render::FogLighting::peak) {
     const render::RenderSettings settings{.fog_lighting = fog_lighting};

@@ -33,7 +33,7 @@ constexpr Scale kQuick{8, {3, 0.001}};
 /// Digits of the optimum that the header states (attenuation_fit.h).
 constexpr double kStatedDigits = 9;
 
-/// What tables are drawn from.
+/// A distribution of tables.
 struct Family {
   const char* name;
   double least_range, most_range;  ///< limits of the last sample's range
@@ -65,7 +65,7 @@ Samples draw_table(const Family& family, test::Random& random) {
 
 Attenuation fit_by_litfog(const Samples& samples) { return fit_attenuation({.samples = samples}).attenuation; }
 
-/// ln a(r) minus that of a sample, from coefficients of any scalar.
+/// ln a(r) minus a sample's ln a, from coefficients of any scalar type.
 struct Residual {
   const AttenuationSample& sample;
 
@@ -110,11 +110,11 @@ double objective(const Attenuation& a, const Samples& samples) {
 }
 
 struct Optimum {
-  std::vector<test::Digits50> log_attenuation;  ///< a sample each
+  std::vector<test::Digits50> log_attenuation;  ///< one per sample
   double objective = std::numeric_limits<double>::infinity();
 };
 
-/// From the best of what was found for one table.
+/// The certified optimum of a table, from the best fit found.
 Optimum certified_optimum(const Samples& samples, const std::vector<Attenuation>& found) {
   const auto& best = *std::min_element(found.begin(), found.end(), [&](const Attenuation& a, const Attenuation& b) {
     return objective(a, samples) < objective(b, samples);
@@ -147,21 +147,21 @@ struct Run {
   const Family* family;
   const Method* method;
   const std::vector<Samples>* tables;
-  std::vector<Attenuation> found;  ///< a table each
+  std::vector<Attenuation> found;  ///< one per table
 };
 
-/// What was measured of a run.
+/// The measurements of a run.
 struct Measurement {
   const Family* family;
   const Method* method;
   std::size_t tables;
-  Timing timing;           ///< ns a table
+  Timing timing;           ///< ns per table
   double objective;        ///< mean over the tables
   double solved_fraction;  ///< fraction of the tables
-  double digits;           ///< the fewest of a table
+  double digits;           ///< the fewest of all tables
 };
 
-/// For each family.
+/// Draws tables for each family.
 std::vector<std::vector<Samples>> draw_tables(int count) {
   test::Random random(20'040'601);
   std::vector<std::vector<Samples>> tables;
@@ -174,7 +174,7 @@ std::vector<std::vector<Samples>> draw_tables(int count) {
 
 /// All methods on the first family, then on the next.
 ///
-/// tables  outlive the runs
+/// tables  must outlive the runs
 std::vector<Run> runs_on(const std::vector<std::vector<Samples>>& tables) {
   std::vector<Run> runs;
   for (std::size_t i = 0; i < tables.size(); ++i) {
@@ -198,7 +198,7 @@ std::vector<Timing> time_runs(std::vector<Run>& runs, const StopwatchSettings& s
   return time_passes(passes, settings, progress);
 }
 
-/// The optimum of each table, none where nothing found is one.
+/// The optimum of each table; none if no method found it.
 ///
 /// runs  of all methods on one family
 std::vector<Optimum> optima_of(std::span<const Run> runs) {

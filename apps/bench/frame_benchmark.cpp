@@ -31,7 +31,7 @@ struct Setting {
 };
 
 constexpr glm::ivec2 kSize{640, 360}, kQuickSize{80, 45};
-constexpr glm::ivec2 kErrorSize{16, 9};  ///< the reference integrates the airlight of each lamp to 1e-10
+constexpr glm::ivec2 kErrorSize{16, 9};  ///< small, because the reference integrates each lamp's airlight to 1e-10
 
 std::vector<Setting> settings(bool quick) {
   std::vector<Setting> all;
@@ -44,7 +44,7 @@ std::vector<Setting> settings(bool quick) {
   return all;
 }
 
-/// The rows of a setting, its frames interleaved.
+/// Measures the rows of a setting with interleaved frames.
 void measure(const Setting& setting, bool quick, const measure::Progress& progress, Result& result) {
   const scene::Scene scene = scene::read_scene(scene::bundled_scene_path(setting.scene));
   Atmosphere atmosphere = scene.atmosphere.with(Fog::from_visibility(FogMode::exp, scene::suggested_visibility(scene)));

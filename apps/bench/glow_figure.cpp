@@ -24,10 +24,10 @@ namespace litfog::bench {
 namespace {
 
 constexpr double kNearestAngle = 0.3, kFarthestAngle = 180;  // degrees
-constexpr int kLinesAWalk = 4;                               // steps of a chart's lines between two walks
+constexpr int kLinesAWalk = 4;                               // line segments of a chart between two walks
 constexpr int kMarchSteps = 16;
 
-/// A way to find the glow over the angle, in radians.
+/// A method for the glow over the angle in radians.
 struct Method {
   std::string name;
   command::Series series;  ///< its look
@@ -134,7 +134,7 @@ Result draw_glow(bool quick) {
       for (int i = 0; i < walks; ++i) {
         add_row(walk_angle(i), method.name, method.glow(radians(walk_angle(i))), std::monostate(), time);
       }
-      if (method.name == "reference") continue;  // its line lies under that of all orders
+      if (method.name == "reference") continue;  // the line of all orders would hide it
       command::Series series = method.series;
       for (int i = 0; i <= kLinesAWalk * (walks - 1); ++i) {
         const double degrees = degrees_at(double(i) / (kLinesAWalk * (walks - 1)));

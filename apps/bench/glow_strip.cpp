@@ -28,12 +28,12 @@ constexpr std::array kRows{"scattered once", "all orders, litfog", "all orders, 
 constexpr double kHalfView = std::numbers::pi / 6;  // to a picture's left or right edge
 constexpr double kLampPixels = 2;                   // radius of the disc
 
-/// A picture of what is the same all around its middle.
+/// A picture that is symmetric about its centre.
 ///
-/// light_at  by the angle from the middle, radians
+/// light_at  light by the angle from the centre, radians
 render::Picture draw_around(int width, int height, const std::function<double(double)>& light_at) {
   const double focal = width / 2. / std::tan(kHalfView);
-  std::vector<double> profile;  // by half pixels from the middle
+  std::vector<double> profile;  // by half pixels from the centre
   for (int i = 0; i <= width + height; ++i) profile.push_back(light_at(std::atan((i + 0.5) / 2 / focal)));
   render::Picture picture{width, height, {}};
   for (int y = 0; y < height; ++y) {
@@ -68,7 +68,7 @@ std::string draw_glow_strip(bool quick) {
     const ScatteringSource source = scattering_source(lamp.light, air);
     const double depth = air.fog.density * kRange;
     const double disc = std::atan(kLampPixels * std::tan(kHalfView) / (width / 2.));
-    // The light that no fog took, spread over the disc.
+    // The direct light, spread over the disc.
     const double direct = 4 * std::exp(-depth) / (kRange * kRange * disc * disc);
     const auto draw = [&](const auto& higher) {
       return draw_around(width, height, [&](double angle) {

@@ -21,8 +21,8 @@ glm::dvec2 strewn(std::size_t i) {
   return {std::fmod(0.5 + n / kPlastic, 1.0), std::fmod(0.5 + n / (kPlastic * kPlastic), 1.0)};
 }
 
-/// A position before the camera for a point of the unit square: even over the part of the level plane through the eye
-/// that the camera's field of view spans.
+/// A position before the camera for a point of the unit square: even over the camera's field of view in the level plane
+/// through the eye.
 glm::dvec3 place_in_view(const scene::Camera& camera, glm::dvec2 point) {
   const glm::dvec3 eye = camera.position;
   glm::dvec3 forward = glm::dvec3(camera.target) - eye;
@@ -53,7 +53,7 @@ scene::Scene with_light_count(scene::Scene scene, std::size_t count) {
   const auto uses = std::move(scene.cookie_uses);
   scene.lights.clear();
   scene.cookie_uses.clear();
-  scene.mounts.clear();  // the directions stand for themselves
+  scene.mounts.clear();  // the lights' own directions hold
   const std::size_t copies = count > order.size() ? count - order.size() : 0;
   const auto add = [&](std::size_t source) -> PlacedLight& {
     if (const auto use = uses.find(source); use != uses.end()) {

@@ -7,11 +7,10 @@
 
 namespace litfog::bench {
 
-/// A scene with another number of lights, to measure what a light costs. The scene's own lights come first: those that
-/// the eye's vehicle carries in their order, then the local ones from the nearest to the eye on. If they are too few,
-/// copies of the local lights (of the carried ones if there are no others) are spread evenly, at their heights, over
-/// the field of view of a picture of 16:9, out to one and a half times the range of the camera's target. All copies
-/// together are as bright as the lights that they copy were.
+/// A scene with another number of lights, to measure the cost of a light. The scene's own lights come first: carried
+/// lights in their order, then local lights, the nearest to the eye first. If they are too few, copies of the local
+/// lights (or else of the carried ones) are spread evenly, at their heights, over the field of view of a 16:9 picture,
+/// out to one and a half times the range of the camera's target. All copies together are as bright as their originals.
 ///
 /// scene  has at least one light; its camera does not look straight up or down
 /// count  >= 1

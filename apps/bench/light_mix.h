@@ -10,7 +10,7 @@
 
 namespace litfog::bench {
 
-/// The lights of a benchmark, a column a parameter.
+/// The lights of a benchmark, one column per parameter.
 template <typename Real>
 struct LightColumns {
   std::vector<Real> constant, linear, quadratic, threshold, density;
@@ -22,14 +22,14 @@ struct LightColumns {
 
 /// The stated mix: extent 5 to 5,000 m and visibility (5 % contrast) 50 to 10,000 m, log-uniform; C below, at and above
 /// 1 (uniform in [0, 1), 1, uniform in (1, 5]), a third each; beyond C linear only, quadratic only and both (in a
-/// uniform fraction of the extent's attenuation), a third each; threshold 0.05. A seed gives the same lights
-/// everywhere.
+/// uniform fraction of the extent's attenuation), a third each; threshold 0.05. A seed gives the same lights on every
+/// machine.
 LightColumns<double> draw_light_mix(FogMode mode, std::size_t count, std::uint64_t seed);
 
-/// The nearest floats: other lights, strictly, with references of their own.
+/// The lights with parameters rounded to floats, which need references of their own.
 LightColumns<float> to_float(const LightColumns<double>& lights);
 
-/// The first lights again and again, as many as asked for.
+/// Repeats the lights up to a count.
 template <typename Real>
 LightColumns<Real> repeated(const LightColumns<Real>& lights, std::size_t count) {
   LightColumns<Real> result;

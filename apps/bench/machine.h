@@ -6,13 +6,13 @@
 
 namespace litfog::bench {
 
-/// The machine and the build that figures were measured with.
+/// The machine and the build of measured figures.
 struct Machine {
   std::string cpu;          ///< the processor's own name
   std::string isa;          ///< SIMD target of the batch, in Highway's words: "AVX2"
   std::string compiler;     ///< "GCC 12.2.0"
   std::string commit;       ///< as configured; "unknown" outside a git checkout
-  std::string gl_renderer;  ///< what drew; "none" where nothing is drawn
+  std::string gl_renderer;  ///< GL_RENDERER; "none" if nothing is drawn
   std::string date;         ///< UTC, ISO 8601
 };
 
@@ -27,10 +27,10 @@ bool is_measurable_build();
 /// The SIMD target that a batch runs on now, in Highway's words: "AVX3", "AVX2", "SSE4".
 std::string simd_target();
 
-/// What this machine can run, the widest first.
+/// The SIMD targets that this machine can run, the widest first.
 std::vector<std::string> simd_targets();
 
-/// Lets batches use nothing wider than the target named; it must be one of simd_targets(). Not while a batch runs.
+/// Limits batches to the named target, one of simd_targets(). Must not be called while a batch runs.
 void limit_simd_target(const std::string& name);
 
 }  // namespace litfog::bench

@@ -32,7 +32,7 @@ namespace {
 
 using render::set_uniform;
 
-/// Indices of a scene's lights, first those of the local ones.
+/// Indices of a scene's lights, local lights first.
 std::vector<std::size_t> local_lights_first(const std::vector<PlacedLight>& lights) {
   std::vector<std::size_t> order(lights.size());
   std::iota(order.begin(), order.end(), std::size_t{0});

@@ -20,9 +20,9 @@
 
 namespace litfog::bench {
 
-inline constexpr std::size_t kMaxPlainLights = 64;  ///< more do not fit into every driver's uniforms
+inline constexpr std::size_t kMaxPlainLights = 64;  ///< more exceed some drivers' uniforms
 
-/// A light of the uniform array, as litfog/shaders/light.glsl's LitfogLight.
+/// A light of the uniform array: LitfogLight of litfog/shaders/light.glsl.
 struct PlainLight {
   glm::vec4 position_extent;
   glm::vec4 axis_profile;
@@ -32,13 +32,12 @@ struct PlainLight {
 };
 
 /// The rival of the renderer's default path: the forward renderer that an engineer writes in an afternoon. One shader
-/// loops over all lights in a uniform array; each mesh is one draw; nothing is skipped. Its picture is that of
-/// FogLighting::peak to 1/255 of the display's white. With several samples a pixel, up to one value in 300 differs by
-/// more, at edges of surfaces.
-/// Needs a current GL context.
+/// loops over all lights in a uniform array; each mesh is one draw call; nothing is skipped. Its picture equals that of
+/// FogLighting::peak within 1/255 of the display's white. With several samples a pixel, up to one value in 300 differs
+/// by more, at edges of surfaces. Needs a current GL context.
 class PlainRenderer {
  public:
-  /// scene   of at most kMaxPlainLights lights; has to outlive this
+  /// scene   at most kMaxPlainLights lights; must outlive this object
   /// throws  gl::Unsupported where the driver has no framebuffer of that size or fewer samples
   PlainRenderer(const scene::Scene& scene, int width, int height, int samples);
 
@@ -67,7 +66,7 @@ class PlainRenderer {
     glm::mat4 world_from_model;
   };
 
-  /// Makes a program current, with the uniforms that all have.
+  /// Makes a program current and sets the uniforms common to all.
   void use(const gl::Program& program) const;
   void draw_surfaces(const glm::mat4& clip_from_world) const;
   void draw_light_points(const render::View& view) const;
@@ -75,10 +74,10 @@ class PlainRenderer {
   const scene::Scene& scene_;
   Atmosphere atmosphere_;
   render::Framebuffer framebuffer_;
-  std::vector<std::size_t> light_order_;  // order in the uniform array: local lights first
+  std::vector<std::size_t> light_order_;  // in the uniform array: local lights first
   std::size_t local_count_;
   std::vector<PlainLight> packed_;  // in that order
-  gl::FogLightBuffer fog_block_;    // for the light points, holds no lights
+  gl::FogLightBuffer fog_block_;    // for the light points; holds no lights
   std::optional<render::LayeredTexture> cookies_;
   std::map<std::string, Material> materials_;
   std::vector<std::vector<std::unique_ptr<Mesh>>> meshes_;  // by model

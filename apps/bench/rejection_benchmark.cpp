@@ -24,7 +24,7 @@ constexpr std::pair<const char*, EarlyRejection> kRejections[]{{"none", EarlyRej
                                                                {"front-to-back", EarlyRejection::front_to_back},
                                                                {"depth-pass", EarlyRejection::depth_pass}};
 
-/// What OpenGL counts in a frame's surfaces and sky, over the frame's pixels.
+/// An OpenGL query's count over a frame's surfaces and sky, per pixel.
 double count_per_pixel(render::Renderer& renderer, GLenum counted) {
   GLuint query = 0;
   glGenQueries(1, &query);

@@ -30,10 +30,10 @@ struct Setting {
   int height;
   render::Skipping skipping;
   int samples = 4;
-  bool has_all_paths = true;  ///< else the default one, legacy and plain, and airlight where all else is as by default
+  bool has_all_paths = true;  ///< else the default path, legacy and plain, and airlight if all else is at defaults
 };
 
-/// A path, and how its lamps light the fog; or the rival, PlainRenderer.
+/// A path and its fog lighting, or the rival, PlainRenderer.
 struct Technique {
   const render::LightingPath* path;  ///< null: the rival
   render::FogLighting fog_lighting;
@@ -52,16 +52,16 @@ struct Trial {
   measure::FrameTimes times;
   double over_legacy;                     // ratio of medians
   double over_two_light_legacy;           // ratio of medians
-  std::optional<double> over_plain = {};  // ratio of medians; none where plain cannot hold the lights
+  std::optional<double> over_plain = {};  // ratio of medians; none if plain cannot hold the lights
   /// Error of a smaller picture; none for the unlit pass and plain, which have no formulas.
   std::optional<measure::PictureError> error = {};
 };
 
-constexpr const char* kTableScene = "headlights";  // as Hales's figure 1
+constexpr const char* kTableScene = "headlights";  // like Hales's figure 1
 constexpr int kTableWidth = 640;
 constexpr int kTableHeight = 360;
 
-/// Sizes of the pictures that errors are found in: the reference shades each sample of each pixel in double, and
+/// Sizes of the pictures whose errors are found. They are small, because the reference shades each sample in double and
 /// integrates the airlight of each lamp to 1e-10.
 constexpr glm::ivec2 kErrorSize{80, 45};
 constexpr glm::ivec2 kAirlightErrorSize{32, 18};
@@ -74,7 +74,7 @@ std::vector<Setting> settings(bool quick) {
   std::vector<Setting> all;
   for (const std::size_t lights : {1u, 2u, 4u, 16u, 64u, 256u}) {
     all.push_back({kTableScene, lights, kTableWidth, kTableHeight, render::Skipping::on});
-    // With more lights, the paths of several passes would take minutes a frame.
+    // With more lights, paths of several passes would take minutes a frame.
     if (lights <= 16) all.push_back({kTableScene, lights, kTableWidth, kTableHeight, render::Skipping::off});
   }
   for (const std::string& scene : scene::bundled_scenes()) {
@@ -117,7 +117,7 @@ std::vector<Technique> techniques_of(const Setting& setting) {
   return techniques;
 }
 
-/// The techniques' frames, interleaved, and with them those of two-light legacy.
+/// Measures the techniques and two-light legacy, with interleaved frames.
 std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& budget,
                            const measure::Progress& progress) {
   const scene::Scene bundled = scene::read_scene(scene::bundled_scene_path(setting.scene));
@@ -173,14 +173,14 @@ std::vector<Trial> measure(const Setting& setting, const measure::FrameBudget& b
       const glm::ivec2 size = has_airlight ? kAirlightErrorSize : kErrorSize;
       renderers[i]->set_size(size.x, size.y);
       trials.back().error = measure::compare_with_reference(*renderers[i], progress).error;
-      trials.back().error->pixels.clear();  // nobody looks at them
+      trials.back().error->pixels.clear();  // unused
     }
     renderers[i].reset();
   }
   return trials;
 }
 
-/// Whether a trial is of the picture's scene and size: the first one's.
+/// Whether a trial has the scene and size of the first one, which the picture shows.
 bool is_shown(const Trial& trial, const std::vector<Trial>& trials) {
   const Setting& shown = trials.front().setting;
   return trial.setting.scene == shown.scene && trial.setting.width == shown.width;
@@ -209,7 +209,7 @@ command::Table make_table(const std::vector<Trial>& trials) {
   return table;
 }
 
-/// Frame time over the number of lights in the scene of table 1, a line a technique.
+/// Frame time over the number of lights in the scene of table 1, one line per technique.
 command::Chart make_light_chart(const std::vector<Trial>& trials, render::Skipping skipping) {
   command::Chart chart{
       .title = fmt::format("{}, {}", trials.front().setting.scene,
@@ -230,7 +230,7 @@ command::Chart make_light_chart(const std::vector<Trial>& trials, render::Skippi
 }
 
 /// The cards of Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", table 1: "normalized graphics
-/// card data", per pixel over legacy of the same card.
+/// card data", per pixel over legacy on the same card.
 struct Card {
   const char* name;
   double legacy;

@@ -9,7 +9,7 @@
 namespace litfog::bench {
 namespace {
 
-/// What is searched: (1 - f(r)) a(r), without the checks of the public functions.
+/// The function to maximise: (1 - f(r)) a(r), without the checks of the public functions.
 struct Airlight {
   Attenuation attenuation;
   Fog fog;

@@ -18,7 +18,7 @@ namespace hn = hwy::HWY_NAMESPACE;
 using Tag = hn::ScalableTag<float>;
 using Vector = hn::Vec<Tag>;
 
-/// One vector of lights on its way through the samples.
+/// The state of one vector of lights at a sample.
 struct Sampling {
   Vector constant, linear, quadratic;  ///< denominator's terms in steps of extent / N
   Vector opacity, best;
@@ -63,7 +63,7 @@ void sample_mode(const BatchLightsF& lights, int samples, std::span<float> inten
   const std::size_t lanes = hn::Lanes(d);
   const std::size_t count = lights.constant.size();
   assert(count >= 2 * lanes);
-  // Two vectors at once, so that one's additions hide behind the other's; the last pair overlaps the one before.
+  // Two vectors at once, so that one hides the other's latency; the last pair overlaps the previous one.
   for (std::size_t begin = 0; begin < count; begin += 2 * lanes) {
     const std::size_t i = std::min(begin, count - 2 * lanes);
     Sampling first = start(kMode, lights, i, samples);

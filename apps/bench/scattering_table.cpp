@@ -20,8 +20,8 @@ namespace {
 constexpr int kDepths = 16, kAngles = 18;
 constexpr double kLeastDepth = 0.02, kMostDepth = 30, kLeastAngle = 0.2, kMostAngle = 180;  // degrees
 
-/// Number i of those from least to most at which log x + bend x goes by equal steps, by Newton's method from above. Of
-/// the bends tried, these leave the smallest errors between nodes: 5 % of the whole glow in place of 16 %.
+/// Node i of `count` from least to most, equally spaced in log x + bend x, by Newton's method from above. Of the bends
+/// tried, these leave the smallest errors between nodes: 5 % of the whole glow instead of 16 %.
 double between(double least, double most, double bend, int i, int count) {
   const auto place = [&](double x) { return std::log(x) + bend * x; };
   const double goal = std::lerp(place(least), place(most), double(i) / (count - 1));
@@ -31,7 +31,7 @@ double between(double least, double most, double bend, int i, int count) {
 }
 
 double depth_at(int i) { return between(kLeastDepth, kMostDepth, 0.2, i, kDepths); }
-/// Radians.
+/// Angle j, radians.
 double angle_at(int j) {
   constexpr double kRadians = std::numbers::pi / 180;
   return between(kLeastAngle * kRadians, kMostAngle * kRadians, 0.5, j, kAngles);

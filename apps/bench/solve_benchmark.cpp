@@ -27,9 +27,9 @@ namespace {
 using test::Digits50;
 
 struct Scale {
-  std::size_t lights;      ///< a pass: more than branch predictors learn, less than the second cache holds
-  std::size_t references;  ///< the first of them
-  std::size_t uncached;    ///< lights of a pass through memory
+  std::size_t lights;      ///< per pass: more than branch predictors learn, fewer than the second cache holds
+  std::size_t references;  ///< number of lights with references: the first ones
+  std::size_t uncached;    ///< lights per pass through memory
   StopwatchSettings stopwatch;
 };
 constexpr Scale kFull{4096, 2000, 4'000'000, {15, 0.02}};
@@ -68,7 +68,7 @@ struct Problem {
   FogMode mode;
   LightColumns<Real> lights;
   std::vector<Digits50> references;
-  std::vector<Real> intensity;  ///< where the passes store
+  std::vector<Real> intensity;  ///< written by the passes
 
   Problem(FogMode fog_mode, LightColumns<Real> columns, std::size_t reference_count, command::Progress& progress)
       : mode(fog_mode), lights(std::move(columns)), intensity(lights.size()) {
@@ -82,7 +82,7 @@ struct Problem {
   }
 };
 
-/// How a method is drawn: as a point with a label.
+/// The look of a method in the chart: a point with a label.
 struct Look {
   std::string label;
   command::LabelPlace place;
@@ -95,19 +95,19 @@ struct Sampling {
   bool is_simd;
 };
 
-/// A method to find the intensity of all lights of a problem.
+/// A method for the intensity of all lights of a problem.
 struct Method {
   std::string name;
   std::string precision;
   std::optional<FogMode> fog;  ///< none: it solves nothing
   TimedPass pass;
-  std::function<Errors()> errors = {};  ///< after a pass; empty if it solves nothing
+  std::function<Errors()> errors = {};  ///< call after a pass; empty if it solves nothing
   double stated_ulp = std::numeric_limits<double>::infinity();
   std::optional<Look> look = {};
   std::optional<Sampling> sampling = {};
 };
 
-/// A method and what was measured of it.
+/// A method and its measurements.
 struct Measurement {
   Method method;
   Timing timing;
@@ -210,7 +210,7 @@ command::Chart draw_pareto(FogMode fog, const std::vector<Measurement>& measurem
                               .color = 7});
     }
     if (method.fog != fog) continue;
-    const double error = std::max(errors->max_255, chart.y.least);  // exactly 0 stands at the axis's end
+    const double error = std::max(errors->max_255, chart.y.least);  // 0 is drawn at the axis's end
     if (method.sampling) {
       const auto [samples, is_simd] = *method.sampling;
       command::Series& series = is_simd ? simd_sampling : scalar_sampling;
@@ -287,7 +287,7 @@ Result measure_solve(bool quick) {
     const Method& method = methods[i];
     measurements.push_back({method, timings[i], std::nullopt});
     if (!method.errors) continue;
-    method.pass.run();  // the results of this method, not of the one timed last
+    method.pass.run();  // restores this method's results, which the last one timed has overwritten
     const Errors errors = method.errors();
     measurements.back().errors = errors;
     if (!(errors.max_ulp <= method.stated_ulp)) {

@@ -13,7 +13,7 @@
 namespace litfog::bench {
 namespace {
 
-/// Keeps each repetition's time a pass, by the order of registration, and prints nothing.
+/// Keeps the time per pass of each repetition, in the order of registration. Prints nothing.
 class Collector : public benchmark::BenchmarkReporter {
  public:
   explicit Collector(std::size_t count) : seconds_(count) {}
@@ -48,7 +48,7 @@ std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const Stop
   std::array<char*, 3> arguments{name.data(), interleaving.data(), nullptr};
   int count = 2;
   benchmark::Initialize(&count, arguments.data());
-  int runs = 0;  // the repetitions, and those that find out how many passes fill the time
+  int runs = 0;  // the repetitions, and the runs that find how many passes fill the time
   const auto on_run = [&] {
     progress.show(
         fmt::format("timing: run {} of about {}", ++runs, passes.size() * std::size_t(settings.repetitions + 2)));

@@ -9,7 +9,7 @@
 
 namespace litfog::bench {
 
-/// Something to time: one pass over its items. What it computes it must store where others can see it.
+/// Work to time: one pass over its items. It must store its results where the compiler cannot drop them.
 struct TimedPass {
   std::size_t items;
   std::function<void()> run;
@@ -26,14 +26,14 @@ struct StopwatchSettings {
   double least_seconds;  ///< a repetition runs as many passes as fill this time
 };
 
-/// Times the passes with Google Benchmark, the repetitions of all in random order, so that a slow spell of the machine
-/// hits no pass alone. Shows how many runs are done.
+/// Times the passes with Google Benchmark, the repetitions of all in random order, so that a slow phase of the machine
+/// hits no pass alone. Shows the number of finished runs.
 std::vector<Timing> time_passes(const std::vector<TimedPass>& passes, const StopwatchSettings& settings,
                                 command::Progress& progress);
 
-/// Processor time that the calling thread has taken so far.
+/// Processor time of the calling thread so far.
 double thread_milliseconds();
-/// That all threads of the process have taken so far, a software rasteriser's included.
+/// Processor time of all threads of the process so far, including a software rasteriser's.
 double process_milliseconds();
 
 }  // namespace litfog::bench

@@ -16,7 +16,7 @@
 namespace litfog::bench {
 namespace {
 
-/// The most that each light gives to any pixel tried, in steps of the display.
+/// The largest contribution of each light to any pixel tried, in steps of the display.
 std::vector<double> largest_contributions(render::Renderer& renderer) {
   const measure::PathModel model(renderer);
   const std::vector<measure::ReferenceLight>& lights = model.lights();

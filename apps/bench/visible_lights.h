@@ -8,12 +8,12 @@
 
 namespace litfog::bench {
 
-/// The lights that a picture needs, found without the bounds by which the renderer skips: on the surfaces seen, all the
-/// others together change no sample by more than half a step of the display, 1/255, at 0 EV. What each light gives to a
-/// sample is that of the plain formulas in double (measure::PathModel). Lights whose points the renderer draws and
-/// carried lights are always among them.
+/// The lights that a picture needs, found without the renderer's bounds: on visible surfaces, all others together
+/// change no sample by more than half a step of the display, 1/255, at 0 EV. A light's contribution to a sample is by
+/// the plain formulas in double (measure::PathModel). Always includes carried lights and lights whose points the
+/// renderer draws.
 ///
-/// renderer  which lights its fog by peak
+/// renderer  lights its fog by peak
 /// returns   indices in the scene's lights, ascending
 std::vector<std::size_t> find_visible_lights(render::Renderer& renderer);
 

@@ -7,8 +7,8 @@
 namespace litfog::command {
 namespace {
 
-/// Below what an install may move as a whole, seen from the file that holds this code: a program or an extension of
-/// Python.
+/// A path relative to the file that holds this code, a program or a Python extension, so that an installation may be
+/// moved as a whole.
 std::filesystem::path installed(const char* from_program, const char* from_extension) {
   static const char here = 0;
   Dl_info info;
@@ -16,7 +16,7 @@ std::filesystem::path installed(const char* from_program, const char* from_exten
   const bool is_found = dladdr1(&here, &info, &map, RTLD_DL_LINKMAP) != 0;
   const std::filesystem::path library = is_found ? static_cast<const link_map*>(map)->l_name : "";
   if (!library.empty()) return library.parent_path() / from_extension;
-  std::error_code error;  // a program has no name there
+  std::error_code error;  // dladdr gives a program no path
   return std::filesystem::read_symlink("/proc/self/exe", error).parent_path() / from_program;
 }
 

@@ -10,7 +10,7 @@
 
 namespace litfog::command {
 
-/// A word of the command line, what it stands for, and a sentence on it for a window.
+/// A word of the command line, its value, and a sentence that explains it in a window.
 template <typename Value>
 struct Choice {
   const char* word;

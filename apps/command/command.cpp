@@ -28,8 +28,8 @@ namespace litfog::command {
 
 namespace {
 
-/// A file opened later must not become the standard output that the caller closed. Opened the wrong way round, so that
-/// using it fails as it would have.
+/// Occupies standard streams that the caller closed, so that no file opened later becomes one. Opens them in the wrong
+/// mode, so that using them fails as before.
 void occupy_closed_standard_streams() {
   for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
     if (fcntl(stream, F_GETFD) != -1) continue;
@@ -37,14 +37,14 @@ void occupy_closed_standard_streams() {
   }
 }
 
-/// fail_option, with what a wrong number may have meant.
+/// fail_option, with a hint what a wrong number may have meant.
 [[noreturn]] void fail_number(const std::string& name, std::string_view text, std::string_view rule) {
   const auto number = parse_number(text);
   fail_option(name, text,
               std::string(rule) + (number ? files::hint_for_fraction(*number, rule) : files::hint_for_number(text)));
 }
 
-/// "; see litfog-demo compare --help": the help that has the options of what was asked for.
+/// "; see litfog-demo compare --help": the help of the job asked for.
 std::string see_help(const CLI::App& app) {
   std::string command = app.get_name();
   for (const CLI::App* job : app.get_subcommands()) command += " " + job->get_name();
@@ -56,7 +56,7 @@ std::string describe_extra(const CLI::App& app, const CLI::ExtrasError& error) {
   const std::vector<std::string> extras = app.remaining(true);
   const auto extra = std::ranges::find_if(extras, [](const std::string& word) { return word.starts_with("--"); });
   if (extra == extras.end()) return error.what();
-  const CLI::App* part = &app;  // the job's, which takes no options of the command itself
+  const CLI::App* part = &app;  // the job, which takes no options of the command itself
   while (!part->get_subcommands().empty()) part = part->get_subcommands().front();
   std::vector<std::string> names;
   for (const CLI::Option* option : part->get_options()) {
@@ -157,10 +157,10 @@ CLI::Option* add_contrast(CLI::App& app, double& target) {
 
 int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run) {
   occupy_closed_standard_streams();
-  // A reader that went away and a file that grew beyond its limit are output that cannot be written: kCannotWrite.
+  // A closed pipe and a file beyond its size limit are then write errors: kCannotWrite.
   std::signal(SIGPIPE, SIG_IGN);
   std::signal(SIGXFSZ, SIG_IGN);
-  setenv("EGL_LOG_LEVEL", "fatal", 0);  // else Mesa's lines on standard error come before our one sentence
+  setenv("EGL_LOG_LEVEL", "fatal", 0);  // else Mesa's lines on standard error precede our one sentence
   app.option_defaults()->group("Options");
   app.set_version_flag("--version", "");
 
@@ -189,11 +189,11 @@ int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitSt
   } catch (const std::system_error& error) {
     if (error.code() == std::errc::not_enough_memory) return say_out_of_memory();
     return end(error.what(), kMissingCapability);
-  } catch (const std::invalid_argument& error) {  // an error that no reader foresaw: the input asked for it
+  } catch (const std::invalid_argument& error) {  // an input error that no reader caught
     return end(error.what(), kBadInput);
   } catch (const std::logic_error& error) {
     return end(std::string("internal error: ") + error.what(), kInternalError);
-  } catch (const std::exception& error) {  // from a library that refused the input's request
+  } catch (const std::exception& error) {  // a library refused what the input asks for
     return end(error.what(), kBadInput);
   }
 }

@@ -16,7 +16,7 @@
 
 namespace litfog::command {
 
-/// What all commands share: their options' strictness, their standard output and the way they end.
+/// Shared by all commands: strict options, standard output and exit.
 ///
 ///     int main(int argc, char** argv) {
 ///       expect_uncaught();
@@ -26,11 +26,11 @@ namespace litfog::command {
 ///       return run_command(app, argc, argv, [&] { write_standard_output("done\n"); return kDone; });
 ///     }
 
-/// Which numbers an option takes, and the text of that rule.
+/// The rule for an option's number, as a function and as text.
 struct NumberRule {
   bool (*accepts)(double);
   const char* text;
-  double least = -std::numeric_limits<double>::infinity();  ///< closed limits, which take what floats round beyond them
+  double least = -std::numeric_limits<double>::infinity();  ///< closed limits; also accept values rounded beyond them
   double most = std::numeric_limits<double>::infinity();
 };
 inline constexpr NumberRule kNotNegative{[](double x) { return x >= 0; }, "must be a number >= 0 or inf"};
@@ -38,26 +38,26 @@ inline constexpr NumberRule kFiniteNotNegative{[](double x) { return x >= 0 && x
                                                "must be a finite number >= 0"};
 inline constexpr NumberRule kOpenUnitInterval{[](double x) { return x > 0 && x < 1; }, "must be a number in (0, 1)"};
 
-/// The number of a text that a rule takes, or nothing.
+/// Parses a number that a rule accepts, or returns nothing.
 std::optional<double> parse_number(std::string_view text, const NumberRule& rule);
 
-/// Options whose value is checked as it is parsed; a wrong one ends the command with status kUsage.
+/// Adds an option whose value is checked when parsed. A wrong one ends the command with status kUsage.
 CLI::Option* add_number(CLI::App& app, const std::string& name, double& target, NumberRule rule,
                         const std::string& description);
 CLI::Option* add_integer(CLI::App& app, const std::string& name, int& target, int least, int most,
                          const std::string& description);
-/// Numbers with commas between them.
+/// Adds an option of numbers separated by commas.
 CLI::Option* add_numbers(CLI::App& app, const std::string& name, std::vector<double>& target, NumberRule rule,
                          const std::string& description);
 
-/// --contrast, by which a visibility means a density (Fog::from_visibility).
+/// Adds --contrast, which relates visibility and density (Fog::from_visibility).
 CLI::Option* add_contrast(CLI::App& app, double& target);
 
-/// Ends the command as fail_option does, for a word that is none of the choices.
+/// Ends the command like fail_option, for a word that is none of the choices.
 [[noreturn]] void fail_choice(const std::string& name, const std::string& word,
                               const std::vector<std::string_view>& choices);
 
-/// An option that takes one of a few words.
+/// Adds an option that takes one of a few words.
 template <typename Choice>
 CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
                         std::vector<std::pair<std::string, Choice>> choices, const std::string& description) {
@@ -77,11 +77,11 @@ CLI::Option* add_choice(CLI::App& app, const std::string& name, Choice& target,
   return app.add_option(name, parse, description)->type_name(words);
 }
 
-/// "litfog-fit: out of memory" on standard error. Takes none. Returns kInternalError.
+/// Prints "litfog-fit: out of memory" on standard error without allocating memory. Returns kInternalError.
 ExitStatus say_out_of_memory();
 
-/// Parses the command line, runs the command, and turns whatever comes of it into one message on standard error and an
-/// exit status. Adds --help and --version. Standard output is closed at the end, so that a full disk is noticed.
+/// Parses the command line, runs the command, and turns errors into one message on standard error and an exit status.
+/// Adds --help and --version. Closes standard output at the end, so that a full disk is noticed.
 int run_command(CLI::App& app, int argc, char** argv, const std::function<ExitStatus()>& run);
 
 }  // namespace litfog::command

@@ -7,13 +7,13 @@
 
 namespace litfog::command {
 
-/// whole_number(), but for nan.
+/// whole_number(), but refuses nan.
 std::optional<double> parse_number(std::string_view text);
 
 /// Parses an integer: decimal digits with an optional minus.
 std::optional<int> parse_integer(std::string_view text);
 
-/// The parts of a text before, between and after its commas, one at least: "1,,2" has three.
+/// Splits a text at its commas into one part or more: "1,,2" has three.
 std::vector<std::string_view> split_at_commas(std::string_view text);
 
 }  // namespace litfog::command

@@ -11,7 +11,7 @@ void check_options(const CLI::App& app, const std::vector<OptionRule>& rules) {
   for (const OptionRule& rule : rules) {
     if (!rule.applies) continue;
     for (const std::string& option : rule.excluded) {
-      const CLI::Option* const given = app.get_option_no_throw(option);  // null: rules are shared by jobs that lack it
+      const CLI::Option* const given = app.get_option_no_throw(option);  // null: jobs that lack it share the rules
       if (given == nullptr || given->count() == 0) continue;
       throw CLI::ValidationError(option + " cannot be given with " + rule.condition +
                                  (rule.reason.empty() ? "" : ": " + rule.reason));

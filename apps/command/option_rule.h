@@ -11,7 +11,7 @@ class App;
 
 namespace litfog::command {
 
-/// A condition under which other options would have no effect. They are usage errors then, so that no option is
+/// A condition under which other options would have no effect. These are then usage errors, so that no option is
 /// silently ignored.
 struct OptionRule {
   std::string condition;              ///< as typed: "--fog none"

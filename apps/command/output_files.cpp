@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// The document of litfog's that an output would replace.
+/// The litfog document that an output would replace.
 std::optional<files::JsonValue> replaced_document(const std::string& path) try {
   if (!files::would_replace(path)) return std::nullopt;
   const files::JsonValue root = files::read_json(path);
@@ -41,7 +41,7 @@ std::optional<OutputFiles::Identity> OutputFiles::Identity::of(const std::string
   std::error_code error;
   const fs::path absolute = fs::absolute(files::behind_links(path), error);
   identity.path = fs::weakly_canonical(absolute, error);
-  if (error) identity.path = absolute.lexically_normal();  // a name that is too long
+  if (error) identity.path = absolute.lexically_normal();  // the name is too long
   return identity;
 }
 

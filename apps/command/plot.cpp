@@ -26,8 +26,8 @@ constexpr std::array<const char*, 8> kPalette{"#0072B2", "#D55E00", "#009E73", "
                                               "#000000", "#56B4E9", "#E69F00", "#888888"};
 constexpr std::array<int, 8> kMarks{7, 5, 9, 13, 11, 15, 6, 4};  // gnuplot's: disc, square, triangle, ...
 
-/// A text that gnuplot takes unchanged: whatever could mean something to it is written as its octal code, and so is a
-/// digit behind a code, which gnuplot would read as one of the code's. It is printable, so that an SVG file is XML.
+/// Quotes a text for gnuplot. Special characters become octal codes, and so does a digit after a code, which would
+/// extend it. The text is printable, so that an SVG file is valid XML.
 std::string in_quotes(std::string_view text) {
   std::string result = "\"";
   bool is_behind_code = false;
@@ -80,7 +80,7 @@ class Script {
   std::string text_;
 };
 
-/// 1, 2 or 5 times a power of ten: the least such step of which at most `count` are needed up to a value.
+/// The least step of 1, 2 or 5 times a power of ten of which at most `count` reach a value.
 double round_step(double most, int count) {
   const double least = most / count;
   const double power = std::pow(10, std::floor(std::log10(least)));
@@ -90,7 +90,7 @@ double round_step(double most, int count) {
   return 10 * power;
 }
 
-/// name is gnuplot's: x or y.
+/// name  gnuplot's: x or y
 void add_axis(Script& script, char name, const Axis& axis, const std::vector<Series>& series) {
   script.add("set {}label {} noenhanced", name, in_quotes(axis.label));
   script.add("{} logscale {}", axis.is_log ? "set" : "unset", name);
@@ -108,7 +108,7 @@ void add_axis(Script& script, char name, const Axis& axis, const std::vector<Ser
       most = std::max(most, name == 'x' ? point.x : point.y);
     }
   }
-  const bool has_long_labels = name == 'x' && !axis.is_log && most >= 1e5;  // side by side
+  const bool has_long_labels = name == 'x' && !axis.is_log && most >= 1e5;  // labels side by side
   script.add("set {}tics {}", name, has_long_labels ? fmt::format("{}", round_step(most, 4)) : "autofreq");
   const char* const format = axis.is_log && (least < 1e-4 || most > 1e5) ? "'10^{%T}'" : "'%g'";
   script.add("set format {} {}", name, axis.label.empty() ? "''" : format);
@@ -145,7 +145,7 @@ const char* label_command(LabelPlace place) {
 }
 
 std::string style_command(SeriesStyle style, std::size_t color) {
-  const std::size_t round = color / kPalette.size();  // the colours come again with other marks
+  const std::size_t round = color / kPalette.size();  // colours repeat with other marks
   const std::string line = fmt::format("lc rgb '{}' lw 2", kPalette[color % kPalette.size()]);
   const std::string mark = fmt::format("pt {} ps 1.1", kMarks[(color + round) % kMarks.size()]);
   switch (style) {
@@ -161,19 +161,19 @@ std::string style_command(SeriesStyle style, std::size_t color) {
   return "lines dt 2 " + line;
 }
 
-/// Rings and rays instead of axes.
+/// Sets up rings and rays instead of axes.
 void begin_polar(Script& script, const Axis& radius) {
   script.add("set polar; set angles degrees; set theta bottom cw");
   script.add("unset xlabel; unset ylabel; unset logscale; unset border; unset xtics; unset ytics; unset raxis");
-  const double most = radius.most * (1 - 1e-9);  // no ring for the rounding of what ends on one
+  const double most = radius.most * (1 - 1e-9);  // so that rounding adds no ring
   const double step = round_step(most, 3), rings = std::ceil(most / step);
   script.add("set xrange [-{0}:{0}]; set yrange [-{0}:{0}]; set rrange [0:{0}]", step * rings);
-  // Three rings are too close for 10000, which then is 10k.
+  // Three rings are too close for 10000: it becomes 10k.
   script.add("set rtics scale 0 {}; set format r '{}'", step, rings > 2 && step >= 1000 ? "%.0s%c" : "%g");
   script.add("set grid polar 30 lt 1 lc rgb '#DDDDDD' lw 1");
   std::string tics;
   for (int angle = -150; angle <= 180; angle += 30) {
-    if (angle == -90) continue;  // where the rings' values stand
+    if (angle == -90) continue;  // the rings' values are there
     tics += fmt::format("{}'{}°' {}", tics.empty() ? "" : ", ", std::abs(angle), angle);
   }
   script.add("set ttics scale 0 ({}); set size square; set tmargin 3; set bmargin 2", tics);
@@ -186,7 +186,7 @@ void end_polar(Script& script) {
 }
 
 void add_chart(Script& script, const Chart& chart) {
-  // A polar chart's title has room over its rays' labels, off the figure's.
+  // A polar chart's title fits above its rays' labels, clear of the figure's title.
   script.add("set title {} noenhanced offset character 0,{}", in_quotes(chart.is_polar ? chart.y.label : chart.title),
              chart.is_polar ? -0.7 : 0);
   if (chart.is_polar) {
@@ -228,7 +228,7 @@ std::string script_of(const Figure& figure, FigureFormat format) {
              format == FigureFormat::png ? "pngcairo" : "svg", figure.width, figure.height);
   script.add("set output");  // standard output
   script.add("set grid lt 1 lc rgb '#DDDDDD' lw 1");
-  // The title's second, empty line keeps it off the keys above the charts.
+  // The title's second, empty line keeps it clear of the keys above the charts.
   script.add("set multiplot layout {},{} rowsfirst title {}.\"\\n\" noenhanced", rows, columns,
              in_quotes(figure.title));
   for (const Chart& chart : figure.charts) add_chart(script, chart);
@@ -236,13 +236,13 @@ std::string script_of(const Figure& figure, FigureFormat format) {
   return script.text();
 }
 
-/// What gnuplot writes to its standard output. No file name takes part, so that no text can be a command.
+/// Runs gnuplot and returns its standard output. No file name is involved, so that no text can be a command.
 std::string run_gnuplot(const std::string& script) {
-  // The user's start-up file is not ours. What gnuplot is not told to be a file it reads byte by byte.
+  // Ignores the user's start-up file. Gnuplot would read standard input byte by byte if it were not named as a file.
   return run_program({"gnuplot", "--default-settings", "/dev/stdin"}, script, "install gnuplot-nox");
 }
 
-/// A full temporary folder is not seen in gnuplot's exit status.
+/// Gnuplot's exit status does not show that the temporary folder is full.
 [[noreturn]] void fail_unfinished() { throw OutputError("picture cannot be written: gnuplot did not finish it"); }
 
 }  // namespace

@@ -21,7 +21,7 @@ namespace {
 
 using File = std::unique_ptr<std::FILE, int (*)(std::FILE*)>;
 
-/// Without a name, gone when closed.
+/// A file without a name, deleted when closed.
 File temporary_file() {
   File file(std::tmpfile(), std::fclose);
   if (!file) throw OutputError(fmt::format("temporary file cannot be written: {}", system_reason(errno)));

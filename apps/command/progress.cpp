@@ -14,7 +14,7 @@
 namespace litfog::command {
 namespace {
 
-std::mutex mutex;  // of all that follows and of texts
+std::mutex mutex;  // guards all that follows, and texts
 bool is_shown = false;
 
 void clear_line() {
@@ -28,7 +28,7 @@ Progress::Progress() {
   try {
     thread_ = std::jthread(
         [this](const std::stop_token& stop) { isatty(STDERR_FILENO) != 0 ? keep_shown(stop) : keep_log(stop); });
-  } catch (const std::system_error&) {  // no more threads: work goes on without a line
+  } catch (const std::system_error&) {  // no thread is left: work goes on without a progress line
   }
 }
 

@@ -10,9 +10,9 @@
 
 namespace litfog::command {
 
-/// Progress on standard error: what is done, and for how long the whole has taken. A terminal has a line of it after
-/// two seconds; a file or a pipe has one after 5 seconds and then after ever longer pauses, each twice the last. A
-/// program has one at a time.
+/// Progress on standard error: the current step and the time so far. A terminal shows a line after two seconds; a file
+/// or a pipe gets one after 5 seconds and then after ever longer pauses, each twice the last. One at a time per
+/// program.
 class Progress {
  public:
   Progress();
@@ -20,13 +20,13 @@ class Progress {
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// Replaces the text. The line goes on while the caller waits, for a driver that compiles or a file that is read.
+  /// Replaces the text. The line is updated while the caller waits for a driver or a file.
   void show(std::string_view text);
 
   /// Prints a line that stays, on a terminal or not: an error that does not end the work.
   void print(std::string_view line);
 
-  /// Takes away the line of the program's progress, until it is shown again: before something else is printed.
+  /// Clears the program's progress line until it is shown again. Call it before printing something else.
   static void clear();
 
  private:

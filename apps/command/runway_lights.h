@@ -11,8 +11,9 @@ struct RunwayLights;
 
 namespace litfog::command {
 
-/// --lamp-cd, --background-cd-m2 and --threshold-lx, by which an --rvr means a density (fog_from_runway_visual_range).
-/// CLI11 reads options in the order in which they are added: these come before --rvr.
+/// Adds --lamp-cd, --background-cd-m2 and --threshold-lx, which relate --rvr and density
+/// (fog_from_runway_visual_range). CLI11 reads options in the order in which they are added, so these must precede
+/// --rvr.
 void add_runway_lights(CLI::App& app, RunwayLights& lights);
 
 /// Throws the usage error of an --rvr that no lamp reaches.

@@ -8,11 +8,11 @@ namespace litfog::command {
 /// Appends to standard output. Throws OutputError.
 void write_standard_output(std::string_view text);
 
-/// Writes lines for people (printable_lines) at once, to a pipe too: the progress of a command that takes a while.
-/// Throws OutputError.
+/// Writes printable_lines() immediately, to a pipe too: the progress of a command that takes a while. Throws
+/// OutputError.
 void report(std::string_view text);
 
-/// Throws OutputError where what was written did not arrive.
+/// Closes standard output. Throws OutputError if any of it was lost.
 void close_standard_output();
 
 }  // namespace litfog::command

@@ -47,7 +47,7 @@ std::string json_cell(const Cell& cell) {
   return std::isfinite(number) ? fmt::format("{}", number) : fmt::format("\"{}\"", number);
 }
 
-/// Code points, which is what a terminal lines up.
+/// Width in code points, which a terminal aligns.
 std::size_t width_of(const std::string& printed) { return std::size_t(utf8::distance(printed.begin(), printed.end())); }
 
 std::string format_text(const Table& table) {

@@ -8,12 +8,12 @@
 namespace litfog::command {
 
 enum class TableFormat {
-  text,  ///< aligned for reading, six digits, but whole numbers below 1e9 in full
+  text,  ///< aligned columns, six digits, but whole numbers below 1e9 in full
   csv,   ///< RFC 4180, numbers read back exactly, infinity is inf
   json,  ///< an array of objects, one a row; numbers read back exactly, infinity is the string "inf", empty is null
 };
 
-/// A result table: named columns, rows of texts and numbers. A cell can also be empty: what the row does not have.
+/// A result table: named columns, rows of texts, numbers and empty cells.
 struct Table {
   using Cell = std::variant<std::string, double, std::monostate>;
 

@@ -3,9 +3,9 @@
 
 namespace litfog::command {
 
-/// From here on a command that runs out of memory says so and ends with kInternalError also where run_command() catches
-/// nothing: while it makes what is static or its options, in a thread, in a destructor. It is a constructor, ahead of
-/// all others; main() calls it so that it is linked, as it must not be into litfog.pictures, which is no program.
+/// Makes a command that runs out of memory say so and end with kInternalError where run_command() catches nothing: in
+/// static initialisation, while options are added, in a thread, in a destructor. It is a constructor, ahead of all
+/// others. main() calls it so that it is linked; it must not be linked into litfog.pictures, which is not a program.
 [[gnu::constructor(101)]] void expect_uncaught();
 
 }  // namespace litfog::command

@@ -5,7 +5,7 @@
 
 namespace litfog::command {
 
-/// Wall time since it was made.
+/// Wall time since construction.
 class WallTimer {
  public:
   double milliseconds() const { return std::chrono::duration<double, std::milli>(Clock::now() - begin_).count(); }

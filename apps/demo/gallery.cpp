@@ -25,7 +25,7 @@
 namespace litfog::demo {
 namespace {
 
-/// Whether two lights have one row in the table: the name and all that the solution depends on are the same.
+/// Whether two lights share a row of the table: same name, and same parameters of the solution.
 bool is_same_kind(const Light& a, const Light& b) {
   const auto row = [](const Light& light) {
     const Attenuation& attenuation = light.attenuation;
@@ -54,7 +54,7 @@ void add_solutions(command::Table& table, const scene::Scene& scene, FogMode mod
 
 constexpr const char* kSheetFile = "contact-sheet.png";
 
-/// Infinity, clear air, before the scene's own.
+/// Infinity (clear air), then the scene's own visibilities.
 std::vector<double> shown_visibilities(const scene::Scene& scene) {
   std::vector<double> visibilities{std::numeric_limits<double>::infinity()};
   visibilities.insert(visibilities.end(), scene.visibilities.begin(), scene.visibilities.end());
@@ -65,11 +65,11 @@ std::vector<double> shown_visibilities(const scene::Scene& scene) {
 struct Row {
   const scene::Scene* scene;
   render::RenderSettings render;
-  std::string title;   ///< of its captions
-  std::string prefix;  ///< of its files
+  std::string title;   ///< in its captions
+  std::string prefix;  ///< in its file names
 };
 
-/// A row a scene, and the first one's by the peak where airlight is the default.
+/// A row per scene, and a second one for the first scene, drawn by peak, if airlight is the default.
 std::vector<Row> make_rows(const std::vector<scene::Scene>& scenes, const drawing::DrawingOptions& options) {
   const render::RenderSettings settings = options.settings();
   std::vector<Row> rows;
@@ -102,13 +102,13 @@ drawing::PictureFolder make_folder(const std::string& path, const std::vector<Ro
   return {path, files, inputs};
 }
 
-/// What rows that are drawn at once share.
+/// Shared by rows that are drawn at once.
 struct Output {
   drawing::PictureFolder pictures;
   command::Progress& progress;
-  std::size_t count;      ///< of pictures
-  std::size_t drawn = 0;  ///< of these
-  std::mutex mutex = {};  ///< held while a picture is given to the folder and reported
+  std::size_t count;      ///< number of pictures
+  std::size_t drawn = 0;  ///< number drawn so far
+  std::mutex mutex = {};  ///< held while a picture is put into the folder and reported
 
   void show() { progress.show(fmt::format("{} of {} pictures drawn", drawn, count)); }
 };
@@ -146,7 +146,7 @@ std::vector<drawing::SheetEntry> draw_row(const Row& row, const drawing::Drawing
   return entries;
 }
 
-/// Draws rows, several at once: a driver compiles a context's shaders on one thread, which takes longer than to draw.
+/// Draws rows, several at once: a driver compiles a context's shaders on one thread, which takes longer than drawing.
 std::vector<std::vector<drawing::SheetEntry>> draw_rows(const std::vector<Row>& rows,
                                                         const drawing::DrawingOptions& options, Output& output) {
   constexpr unsigned kMaxThreads = 4;  // each has a scene in the driver's memory

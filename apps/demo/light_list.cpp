@@ -32,7 +32,7 @@ command::Table list_lights(const scene::Scene& scene) {
   };
   struct Entry {
     std::size_t count = 0;
-    std::size_t first = 0;  // index of its first light in the scene
+    std::size_t first = 0;  // index of the first light in the scene
   };
   std::vector<Entry> entries(scene.light_members.size());
   for (std::size_t i = 0; i < scene.lights.size(); ++i) {

@@ -41,8 +41,8 @@ using namespace litfog;
 using namespace litfog::command;
 using namespace litfog::demo;
 
-constexpr std::int64_t kMaxReferencePixels = 10'000'000;  // some 5 GiB, 3 of them geometry buffer
-constexpr std::int64_t kMaxComparedPixels = 2'500'000;    // some 3 GiB
+constexpr std::int64_t kMaxReferencePixels = 10'000'000;  // about 5 GiB, 3 of them geometry buffer
+constexpr std::int64_t kMaxComparedPixels = 2'500'000;    // about 3 GiB
 
 constexpr const char* kDescription =
     R"(Draws a scene lit by lamps in fog, without a display (OpenGL 3.3 through EGL).
@@ -74,10 +74,10 @@ constexpr const char* kExamples =
 Exit status: 0 done; 1 wrong usage; 2 bad scene or light file; 3 no OpenGL 3.3 through EGL, too few samples per
 pixel, too little memory for the shadow maps, or no ffmpeg for --film; 4 output cannot be written.)";
 
-/// One of the command's jobs. It has put its options on the command line and runs when that has been parsed.
+/// One of the command's jobs. Its options are on the command line, and it runs once that has been parsed.
 using Job = std::function<ExitStatus()>;
 
-/// Paths of the scenes named, or of all that come with litfog.
+/// Paths of the named scenes, or of all bundled scenes.
 std::vector<std::string> scene_paths(std::vector<std::string> scenes) {
   if (scenes.empty()) scenes = scene::bundled_scenes();
   std::ranges::transform(scenes, scenes.begin(), drawing::scene_path);
@@ -203,7 +203,7 @@ Job add_picture_job(CLI::App& app) {
   };
 }
 
-/// files  what is written, where the pictures alone do not say it: ": a page"
+/// files  what is written besides pictures: ": a page"
 void add_folder(CLI::App& app, std::string& folder, const std::string& files = "") {
   const auto take = [&folder](const std::string& text) {
     if (text.empty()) fail_option("--output", text, "must not be empty");
@@ -215,7 +215,7 @@ void add_folder(CLI::App& app, std::string& folder, const std::string& files = "
       ->type_name("FOLDER");
 }
 
-/// Common to the jobs over many scenes.
+/// Options of jobs over several scenes.
 struct ScenesOptions {
   std::vector<std::string> scenes;
   std::string folder;
@@ -237,7 +237,7 @@ Job add_gallery_job(CLI::App& app) {
       "Example:\n  litfog-demo gallery room headlights --size 640x360 -o out");
   add_scenes_and_folder(app, *options);
   drawing::add_fog(app, options->drawing);
-  // By these the street takes 1.25 times as long; by shafts the room takes 1.75 times as long.
+  // With these the street takes 1.25 times as long; with shafts the room takes 1.75 times as long.
   options->drawing.render.shadows = render::Shadows::surfaces;
   drawing::add_drawing(app, options->drawing);
   return [&app, options] {
@@ -432,11 +432,11 @@ Job add_list_job(CLI::App& app) {
 
 Job add_window_job(CLI::App& app) {
   app.prefix_command();
-  app.set_help_flag();  // litfog-window's is shown
+  app.set_help_flag();  // litfog-window shows its own help
   return [&app]() -> ExitStatus { become_window(app.remaining()); };
 }
 
-/// Throws the usage error of a scene or an option of a single picture that is given before another job.
+/// Throws the usage error of a scene or an option of a single picture before another job's name.
 void expect_nothing_before(const CLI::App& job, const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     if (option->count() == 0) continue;
@@ -468,7 +468,7 @@ int main(int argc, char** argv) {
   add_job("window", "Shows a scene in a window, in which fog, lighting, camera and lamps can be changed",
           add_window_job);
   add_job("list", "Lists the scenes that come with litfog, the lighting paths or a scene's lights", add_list_job);
-  app.footer(kExamples);  // now, so that the jobs' help is without it
+  app.footer(kExamples);  // last, so that the jobs' help lacks it
   return run_command(app, argc, argv, [&] {
     try {
       for (const auto& [job, run] : jobs) {

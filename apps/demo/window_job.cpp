@@ -13,7 +13,7 @@
 namespace litfog::demo {
 namespace {
 
-/// What litfog-window links beside this program's own libraries. The dynamic linker would name the file alone.
+/// Checks the libraries that only litfog-window links. The dynamic linker would name just the file.
 void expect_libraries() {
   constexpr struct {
     const char* library;

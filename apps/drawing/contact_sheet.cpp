@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kMargin = 8;
 constexpr int kLineHeight = 20;
-constexpr int kCaptionMargin = 6;  // under the last line
+constexpr int kCaptionMargin = 6;  // pixels under the last line
 constexpr int kFontSize = 15;
 constexpr std::array<float, 3> kGround{0.012f, 0.012f, 0.014f};
 constexpr glm::vec3 kInk{0.75f, 0.75f, 0.72f};

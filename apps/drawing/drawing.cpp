@@ -159,7 +159,7 @@ std::string stats_json(const scene::Scene& scene, const DrawingOptions& options,
     stats["mean_error_255"] = error.mean;
     stats["excepted_pixels"] = error.excluded;
   }
-  // A scene may be named by a file whose name is no UTF-8.
+  // A scene's name may be a file name that is not UTF-8.
   return stats.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 constexpr int kMaxSide = 16'384;
 constexpr command::NumberRule kFraction{[](double x) { return x >= 0 && x <= 1; }, "must be a number in [0, 1]", 0, 1};
-constexpr std::int64_t kMaxPixels = 40'000'000;  // some 3 GiB, 5 with airlight
+constexpr std::int64_t kMaxPixels = 40'000'000;  // about 3 GiB, 5 with airlight
 
 void parse_size(const std::string& text, DrawingOptions& options) {
   const auto cross = text.find('x');
@@ -36,9 +36,9 @@ void parse_size(const std::string& text, DrawingOptions& options) {
   options.height = *height;
 }
 
-/// command::add_number for an option without a default, whose target is made of a number.
+/// command::add_number for an option without a default, whose target is made from a number.
 ///
-/// then  what else is to be done
+/// then  called afterwards
 template <typename Target>
 void add_number(
     CLI::App& app, const std::string& name, std::optional<Target>& target, command::NumberRule rule,

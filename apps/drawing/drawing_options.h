@@ -39,19 +39,19 @@ inline constexpr command::Choice<render::ConeMaps> kConeMaps[] = {{"scaled", ren
                                                                   {"even", render::ConeMaps::even, ""},
                                                                   {"one-disc", render::ConeMaps::one_disc, ""}};
 
-/// What the jobs of litfog-demo have in common: how they draw. A job adds the options that mean something to it; each
-/// function that adds some states their heading in --help.
+/// The drawing options that the jobs of litfog-demo share. A job adds those that apply to it. Each function that adds
+/// options states their heading in --help.
 struct DrawingOptions {
   std::optional<FogMode> fog = FogMode::exp;       ///< none: clear air
   std::optional<double> visibility = {};           ///< metres; default: what each scene suggests
-  double contrast = kContrastMor;                  ///< that is left at the visibility, (0, 1)
-  std::optional<double> runway_visual_range = {};  ///< metres, in place of the visibility
+  double contrast = kContrastMor;                  ///< contrast left at the visibility, (0, 1)
+  std::optional<double> runway_visual_range = {};  ///< metres; replaces the visibility
   RunwayLights runway_lights = {};
-  std::string phase = {};             ///< of the fog, as files::phase_named() takes it; default: the scenes' own
-  std::optional<double> albedo = {};  ///< of the fog, [0, 1]; default: the scenes' own
-  std::optional<std::vector<FogLayer>> layers = {};  ///< of the fog; default: the scenes' own
-  std::string layers_file = {};                      ///< that states them; "none" or empty: none does
-  double seconds = 0;                                ///< for which the scenes' lights have been turning and flashing
+  std::string phase = {};             ///< the fog's, as files::phase_named() takes it; default: the scenes' own
+  std::optional<double> albedo = {};  ///< the fog's, [0, 1]; default: the scenes' own
+  std::optional<std::vector<FogLayer>> layers = {};  ///< the fog's; default: the scenes' own
+  std::string layers_file = {};                      ///< states the layers; "none" or empty: no file
+  double seconds = 0;                                ///< time for which the scenes' lights have turned and flashed
   int width = 1280;                                  ///< pixels
   int height = 720;
   render::RenderSettings render = {};
@@ -61,45 +61,45 @@ struct DrawingOptions {
 
   friend bool operator==(const DrawingOptions&, const DrawingOptions&) = default;
 
-  /// Metres, outside layers: the visibility that is asked for, else infinite between layers that are, else the one that
-  /// the scene suggests; infinite in clear air.
+  /// Visibility outside layers, metres: the one asked for, else infinite if layers are asked for, else the scene's;
+  /// infinite in clear air.
   double visibility_in(const scene::Scene& scene) const;
   /// The visibility of a runway visual range, both in metres.
   double visibility_of_runway_visual_range(double metres) const;
-  /// How a path draws. One that takes no airlight draws the peak whatever is asked for.
+  /// The render settings of a path. A path that takes no airlight draws by peak whatever is asked for.
   render::RenderSettings settings_of(const render::LightingPath& path) const;
-  /// How the chosen path draws: by `render`, except for what fog_light states and the path excludes.
+  /// The render settings of the chosen path: `render` with fog_light, within what the path allows.
   render::RenderSettings settings() const { return settings_of(*render.path); }
   FogMode fog_mode() const { return fog.value_or(FogMode::exp); }
   /// The fog of a visibility in metres.
   Fog fog_at(double metres) const { return Fog::from_visibility(fog_mode(), metres, contrast); }
-  /// A scene's atmosphere at a visibility, with the layers, phase function and albedo that are asked for. exp2 fog,
-  /// which no droplets make, is isotropic unless asked otherwise. Throws the usage error of layers in exp2 fog.
+  /// A scene's atmosphere at a visibility, with the layers, phase function and albedo asked for. exp2 fog, which no
+  /// droplets make, is isotropic by default. Throws the usage error of layers in exp2 fog.
   Atmosphere atmosphere_of(const scene::Scene& scene, double metres) const;
 };
 
-/// Takes layers from a file, or "none". Throws InputError.
+/// Reads layers from a file, or takes "none". Throws InputError.
 void take_layers(DrawingOptions& options, const std::string& file);
 
-/// --fog, for a job that draws clear air anyway, --layers, --phase and --albedo.
+/// Adds --fog without `none`, --layers, --phase and --albedo: for a job that draws clear air anyway.
 void add_fog(CLI::App& app, DrawingOptions& options);
-/// --fog, which may be none, --visibility, --contrast, --rvr with its lamps, --layers, --phase and --albedo.
+/// Adds --fog with `none`, --visibility, --contrast, --rvr and its lamps, --layers, --phase and --albedo.
 void add_fog_and_visibility(CLI::App& app, DrawingOptions& options);
 /// Whether a path is lookup-3d or lookup-2d, to which --flat-shading and --light-ambient belong.
 bool is_hales_lookup(const render::LightingPath& path);
-/// --path, --fog-light and what else is asked of light, add_display(), --size and what else is asked of pixels, and a
-/// group of what only re-enacts papers.
+/// Adds --path, --fog-light and other options of light, add_display(), --size and other options of pixels, and a group
+/// of options that only re-enact papers.
 void add_drawing(CLI::App& app, DrawingOptions& options);
 void add_size(CLI::App& app, DrawingOptions& options);
 void add_time(CLI::App& app, DrawingOptions& options);
 
-/// The rules of --fog none and --shadows, all rules there are for a job over every path.
+/// The rules of --fog none and --shadows: all rules of a job over every path.
 std::vector<command::OptionRule> fog_and_shadow_rules(const DrawingOptions& options);
 
-/// fog_and_shadow_rules(), and the chosen path's rules.
+/// fog_and_shadow_rules() and the chosen path's rules.
 std::vector<command::OptionRule> drawing_rules(const DrawingOptions& options);
 
-/// Throws the usage error of a --size of more pixels than this. what: of which, "for a reference"
+/// Throws the usage error of a --size of more than `most` pixels. what: "for a reference"
 void expect_pixels(const DrawingOptions& options, std::int64_t most, const std::string& what);
 
 }  // namespace litfog::drawing

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kDegree = std::numbers::pi / 180;
 
-// The components f0, f1 and f2 of Spencer et al. by angles in degrees, times their weights in bright light.
+// The components f0, f1 and f2 of Spencer et al. over angles in degrees, times their weights in bright light.
 constexpr double kPeak = 0.384 * 2.61e6;   // f0, times exp(-(angle / kWidth)^2)
 constexpr double kCubic = 0.478 * 20.91;   // f1, over (angle + kWidth)^3
 constexpr double kSquare = 0.138 * 72.37;  // f2, over (angle + kWidth)^2
@@ -32,14 +32,14 @@ double tails(double degrees) {
   return (kCubic / x + kSquare) / (x * x);
 }
 
-/// The integral of tails(x) x over x from 0 to a radius in degrees.
+/// The integral of x tails(x) from 0 to a radius in degrees.
 double tails_within(double radius) {
   const double x = radius / kWidth;
   return kCubic / kWidth * square(x / (1 + x)) / 2 + kSquare * (std::log1p(x) - x / (1 + x));
 }
 
-/// f0 is a product of a Gaussian of x and one of y. These are the integrals of one over the pixels that are 0, 1, 2 and
-/// so on off the light's.
+/// f0 is a product of a Gaussian of x and one of y. Returns the integrals of one Gaussian over the pixels at a distance
+/// of 0, 1, 2, ... from the light's pixel.
 std::vector<double> peak_factors(std::size_t count, double pixel) {
   std::vector<double> factors(count);
   for (std::size_t i = 0; i < count; ++i) {
@@ -49,9 +49,9 @@ std::vector<double> peak_factors(std::size_t count, double pixel) {
   return factors;
 }
 
-/// The tails' integral over the light's own pixel, by polar coordinates over an eighth of it.
+/// The tails' integral over the light's own pixel, in polar coordinates over an eighth of it.
 ///
-/// pixel  its width in degrees, as below
+/// pixel  width in degrees, as below
 double tails_in_own_pixel(double pixel) {
   constexpr int kSteps = 64;
   double sum = 0;
@@ -59,9 +59,9 @@ double tails_in_own_pixel(double pixel) {
   return 2 * std::numbers::pi * sum / kSteps;
 }
 
-/// The tails' integral over a pixel that is so many pixels off the light's.
+/// The tails' integral over a pixel at a distance of x and y pixels from the light's.
 double tails_in_pixel(std::size_t x, std::size_t y, double pixel) {
-  constexpr std::size_t kNear = 24;  // pixels, from which on the tails are even within one
+  constexpr std::size_t kNear = 24;  // pixels; beyond, the tails are constant within a pixel
   const std::size_t steps = 1 + kNear / std::max(x, y);
   double sum = 0;
   for (std::size_t i = 0; i < steps; ++i) {
@@ -73,8 +73,8 @@ double tails_in_pixel(std::size_t x, std::size_t y, double pixel) {
   return pixel * pixel * sum / double(steps * steps);
 }
 
-/// The fractions of a pixel's light that the eye brings into the pixels to its right and below, rows first. What is
-/// beyond 90 degrees is behind the eye.
+/// The fractions of a pixel's light that the eye spreads into the pixels to its right and below, rows first. Beyond 90
+/// degrees is behind the eye.
 std::vector<double> fractions(std::size_t width, std::size_t height, double pixel) {
   const std::vector<double> peak_x = peak_factors(width, pixel);
   const std::vector<double> peak_y = peak_factors(height, pixel);
@@ -92,8 +92,8 @@ std::vector<double> fractions(std::size_t width, std::size_t height, double pixe
 using Transform = Eigen::FFT<double>;
 using Wave = std::complex<double>;
 
-/// Calls work(transform, i) for i in [0, count) on all cores. A transform serves one thread at a time, and many calls,
-/// because its first makes tables.
+/// Calls work(transform, i) for i in [0, count) on all cores. Each thread reuses one transform, because its first call
+/// makes tables.
 template <typename Work>
 void for_each_by_transform(std::size_t count, const Work& work) {
   constexpr std::size_t kTogether = 32;
@@ -104,7 +104,7 @@ void for_each_by_transform(std::size_t count, const Work& work) {
   });
 }
 
-/// Replaces values, which lie a step apart, by the spectrum of these and their mirror image. That is real.
+/// Replaces values, a step apart, by the spectrum of the values and their mirror image, which is real.
 void transform_mirrored(Transform& transform, double* values, std::size_t count, std::size_t step) {
   std::vector<double> mirrored(2 * (count - 1));
   for (std::size_t i = 0; i < mirrored.size(); ++i) mirrored[i] = values[std::min(i, mirrored.size() - i) * step];
@@ -113,8 +113,8 @@ void transform_mirrored(Transform& transform, double* values, std::size_t count,
   for (std::size_t i = 0; i < count; ++i) values[i * step] = waves[i].real();
 }
 
-/// The least even number of at least a side's pixels whose double Eigen transforms quickly. With the double, glare that
-/// leaves at one edge does not come in at the other.
+/// The least even number, at least a side's pixels, whose double Eigen transforms quickly. With the double, glare that
+/// leaves at one edge does not enter at the other.
 std::size_t padded(int side) {
   for (auto size = std::size_t(side + side % 2);; size += 2) {
     std::size_t rest = size;
@@ -141,11 +141,11 @@ render::Picture with_glare(const render::Picture& picture, double pixels_per_rad
   const auto height = std::size_t(picture.height);
   const std::size_t half_width = padded(picture.width);
   const std::size_t half_height = padded(picture.height);
-  const std::size_t columns = half_width + 1;  // of a real picture's spectrum
+  const std::size_t columns = half_width + 1;  // in the spectrum of a real picture
   const std::size_t rows = 2 * half_height;
 
-  // Fractions are the same on all sides, and so a quarter of them has the spectrum of all. In doubles: beside a lamp of
-  // 1e6 the rounding of floats would show as stripes. What stays in its pixel needs no transform.
+  // Fractions are the same on all sides, so a quarter of them has the spectrum of all. In doubles: beside a lamp of 1e6
+  // the rounding of floats would show as stripes. Light that stays in its pixel needs no transform.
   std::vector<double> factors = fractions(columns, half_height + 1, 1 / (kDegree * pixels_per_radian));
   const double staying = std::exchange(factors[0], 0);
   for_each_by_transform(half_height + 1, [&](Transform& transform, std::size_t y) {
@@ -156,7 +156,7 @@ render::Picture with_glare(const render::Picture& picture, double pixels_per_rad
   });
 
   const double scale = 1 / double(2 * half_width * rows);  // transforms there and back multiply by its inverse
-  std::vector<Wave> spectrum(columns * height);            // of the rows; those below the picture are black
+  std::vector<Wave> spectrum(columns * height);            // spectra of rows; rows below the picture are black
   render::Picture seen = picture;
   for (std::size_t channel = 0; channel < 3; ++channel) {
     for_each_by_transform(height, [&](Transform& transform, std::size_t y) {

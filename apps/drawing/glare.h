@@ -5,7 +5,7 @@
 
 namespace litfog::drawing {
 
-/// Whether a display shows a lamp as an eye sees it, whose optics spread its light: of two lamps the brighter is the
+/// Whether a display shows a lamp with the glare of an eye, whose optics spread its light. A brighter lamp then looks
 /// larger.
 enum class Glare { none, eye };
 
@@ -13,17 +13,17 @@ enum class Glare { none, eye };
 /// Zimmerman and Greenberg 1995, "Physically-Based Glare Effects for Digital Images". It has no colour. Its integral
 /// over the hemisphere is 1 within 0.05 %.
 ///
-/// angle  from the point, radians, >= 0
+/// angle  from the direction to the point, radians, >= 0
 double eye_spread(double angle);
 
-/// A picture as the eye's optics spread its light. What would fall outside the picture is lost, and nothing comes in
-/// from there. A channel of infinity or NaN stays and spreads nothing, one below 0 spreads nothing.
+/// Spreads a picture's light by the eye's optics. Light that leaves the picture is lost, and none enters. Infinite and
+/// NaN channels stay and spread nothing; negative channels spread nothing.
 ///
-/// Pixels are flat: each is as wide as one at the picture's middle. So the glare of a lamp that the camera sees at an
-/// angle a from there is off: up to cos(a)^-3 times too dark along the radius, up to 1 / cos(a) times too bright across
-/// it. In the corners of a 16:9 picture of 57 degrees in height that is 3.4 and 1.5.
+/// Each pixel counts as wide as one at the picture's centre. So the glare of a lamp at an angle a from the centre is
+/// wrong: up to cos(a)^-3 times too dark along the radius, up to 1 / cos(a) times too bright across it. In the corners
+/// of a 16:9 picture of 57 degrees in height that is 3.4 and 1.5.
 ///
-/// pixels_per_radian  at the picture's middle, > 0
+/// pixels_per_radian  at the picture's centre, > 0
 render::Picture with_glare(const render::Picture& picture, double pixels_per_radian);
 
 }  // namespace litfog::drawing

@@ -42,7 +42,7 @@ void fill(render::Picture& picture, int left, int top, int right, int bottom, co
 void draw_scale(render::Picture& picture, int top) {
   const int left = kMargin;
   const int length = kMinWidth - 8 * kMargin;
-  const glm::vec3 frame = kInk * 0.3f;  // the scale begins as dark as the ground
+  const glm::vec3 frame = kInk * 0.3f;  // because the scale begins as dark as the background
   fill(picture, left - 1, top - 1, left + length + 2, top + kBarHeight + 1, frame);
   for (int i = 0; i <= length; ++i) {
     fill(picture, left + i, top, left + i + 1, top + kBarHeight, heat_color(double(i) / length));

@@ -8,15 +8,15 @@
 
 namespace litfog::drawing {
 
-/// Writes a text into a picture in a plain type.
+/// Writes a text into a picture.
 ///
-/// left, baseline, size  pixels; baseline is where the letters stand, size about the height of a line
+/// left, baseline, size  pixels; size is about the height of a line
 /// ink                   linear RGB
-/// throws                image::ImageError where no font is found
+/// throws                image::ImageError if no font is found
 void draw_text(render::Picture& picture, int left, int baseline, const std::string& text, int size,
                const glm::vec3& ink);
 
-/// The text, or as much of its beginning as fits into a width in pixels, and an ellipsis.
+/// The text, or as much of its beginning as fits into a width in pixels with an ellipsis.
 std::string fitted_text(const std::string& text, int size, int width);
 
 }  // namespace litfog::drawing

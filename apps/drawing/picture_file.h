@@ -9,22 +9,22 @@
 
 namespace litfog::drawing {
 
-/// Writes a picture atomically: .png as sRGB, 8 bits, dithered against banding (clamped to [0, 1]: render::displayed
-/// makes it fit); .exr as linear half floats, or floats where light is beyond those (65,504). Throws OutputError.
+/// Writes a picture atomically: .png as 8-bit sRGB, dithered against banding (clamped to [0, 1]; render::displayed maps
+/// into it); .exr as linear half floats, or floats if light exceeds those (65,504). Throws OutputError.
 ///
-/// in_floats  .exr: floats in any case
+/// in_floats  .exr: always floats
 void write_picture(const std::string& path, const render::Picture& picture, bool in_floats = false);
 
-/// The bytes of a .png file of it.
+/// The bytes of a picture's .png file.
 std::string png_text(const render::Picture& picture);
 
-/// The bytes of its pixels: RGB, top row first.
+/// A picture's 8-bit pixels: RGB, top row first.
 std::vector<std::uint8_t> shown_pixels(const render::Picture& picture);
 
-/// Whether a path has one of those endings.
+/// Whether a path ends in .png or .exr.
 bool is_picture_path(const std::string& path);
 
-/// Whether the file holds the scene's light as it is (.exr) and not what a display shows of it.
+/// Whether a file holds the scene's light (.exr), not a displayed picture.
 bool holds_scene_light(const std::string& path);
 
 }  // namespace litfog::drawing

@@ -32,8 +32,8 @@ void PictureFolder::write(const std::string& file, render::Picture picture) {
   const auto write = [path = path_of(file), picture = std::make_shared<const render::Picture>(std::move(picture))] {
     write_picture(path, *picture);
   };
-  // If no thread can start, finish() writes. The picture is copied, because libstdc++ would move it into the thread
-  // that does not start.
+  // If no thread can start, finish() writes. The picture is copied, because libstdc++ would move it into a thread that
+  // does not start.
   writing_ = std::async(std::launch::async | std::launch::deferred, write);
 }
 

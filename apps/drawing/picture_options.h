@@ -6,7 +6,7 @@
 
 namespace litfog::drawing {
 
-/// SCENE and every option that changes a single picture of it, whatever becomes of the picture.
+/// Adds SCENE and every option that changes a single picture of it.
 void add_picture_options(CLI::App& app, SceneOptions& scene, DrawingOptions& drawing);
 
 /// Throws the usage error of a --time or --lights that changes nothing in the scene.

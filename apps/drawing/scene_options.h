@@ -22,7 +22,7 @@ extern const command::NumberRule kFieldOfView;  ///< for --fov-deg
 
 /// A scene as the command line states it.
 struct SceneOptions {
-  std::string scene;                             ///< the name of one that comes with litfog, or a file's path
+  std::string scene;                             ///< the name of a bundled scene, or a file's path
   std::vector<scene::SceneChange> changes = {};  ///< changes of its file's members
   std::optional<glm::dvec3> camera = {};         ///< metres; default: the scene's own, like the two that follow
   std::optional<glm::dvec3> target = {};         ///< metres
@@ -31,28 +31,28 @@ struct SceneOptions {
   int city_lights = 0;                           ///< number of lights in a generated city; 0: the scene's
 };
 
-/// SCENE of a single scene.
+/// Adds SCENE.
 void add_scene(CLI::App& app, SceneOptions& options);
-/// --set, as often as it is wanted, and --lamps-only.
+/// Adds --set, which may be repeated, and --lamps-only.
 void add_changes(CLI::App& app, SceneOptions& options);
-/// --lights.
+/// Adds --lights.
 void add_city_lights(CLI::App& app, SceneOptions& options);
-/// --camera, --target and --fov-deg.
+/// Adds --camera, --target and --fov-deg.
 void add_view(CLI::App& app, SceneOptions& options);
 
-/// Reads the scene, changes it and sets its camera. Throws InputError, and the usage error of a view that no scene file
-/// may have either.
+/// Reads the scene, changes it and sets its camera. Throws InputError, and the usage error of a view that a scene file
+/// may not have.
 ///
-/// kept  as scene::read_scene takes it
+/// kept  as in scene::read_scene
 scene::Scene read_scene(const SceneOptions& options, scene::SceneParts* kept = nullptr);
 
-/// A --set's MEMBER=VALUE. Throws its usage error.
+/// Parses the MEMBER=VALUE of --set. Throws its usage error.
 scene::SceneChange parse_change(const std::string& text);
 
-/// An option's X,Y,Z as a point of a scene. Throws its usage error.
+/// Parses an option's X,Y,Z as a point of a scene. Throws its usage error.
 glm::dvec3 parse_point(const std::string& option, const std::string& text);
 
-/// The file of a scene that is named as in SceneOptions. Throws InputError where there is none.
+/// The file of SceneOptions::scene. Throws InputError if there is none.
 std::string scene_path(const std::string& scene);
 
 /// Whether --time has an effect on a scene.

@@ -12,8 +12,8 @@
 
 namespace litfog::image {
 
-/// The levels of a picture in a file: channels beside each other, rows from the top. Of 1 or 2 channels it is grey; of
-/// 2 and 4 the last is alpha, by which colours are not multiplied.
+/// The levels of a picture file: interleaved channels, top row first. 1 or 2 channels are grey; with 2 or 4 the last
+/// one is alpha, not premultiplied.
 struct Levels {
   int width = 0;
   int height = 0;
@@ -21,43 +21,43 @@ struct Levels {
   std::vector<std::uint8_t> values;
 };
 
-/// What is wrong with a picture's bytes, or with what is to be drawn.
+/// Thrown for invalid picture bytes, or for what cannot be drawn.
 struct ImageError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// What OpenImageIO does for the commands. Colours are linear RGB, rows from the top.
+/// The commands' interface to OpenImageIO. Colours are linear RGB, top row first.
 class ImageLibrary {
  public:
   /// Decodes a JPEG picture.
   ///
-  /// accept  is called with width and height before memory for the levels is taken; what it throws is passed on
+  /// accept  called with width and height before memory is allocated; may throw
   /// throws  ImageError
   virtual Levels decode_jpeg(std::string_view bytes, const std::function<void(int, int)>& accept) const = 0;
 
-  /// The bytes of an .exr file: of half floats, or of floats where those are asked for or a number is beyond half
-  /// floats. The same picture is the same file. Throws ImageError.
+  /// The bytes of an .exr file: half floats, or floats if asked for or if a number exceeds half floats. Equal pictures
+  /// give equal files. Throws ImageError.
   virtual std::string exr_text(int width, int height, std::span<const float> rgb, bool in_floats) const = 0;
 
-  /// Averaged to a smaller size. Throws ImageError.
+  /// Averages a picture to a smaller size. Throws ImageError.
   virtual std::vector<float> resized(int width, int height, std::span<const float> rgb, int new_width,
                                      int new_height) const = 0;
 
-  /// Draws a text, as demo/lettering.h says. Throws ImageError where no font is found.
+  /// Draws a text as in drawing/lettering.h. Throws ImageError if no font is found.
   virtual void draw_text(int width, int height, std::span<float> rgb, int left, int baseline, const std::string& text,
                          int size, std::span<const float, 3> ink) const = 0;
 
-  /// Pixels.
+  /// The width of a text, pixels.
   virtual int text_width(const std::string& text, int size) const = 0;
 
  protected:
   ~ImageLibrary() = default;
 };
 
-/// Loaded by the first call: OpenImageIO brings some 250 libraries, which take longer to load than a small picture
-/// takes to draw. From any thread.
+/// The library, loaded by the first call: OpenImageIO brings some 250 libraries, which take longer to load than a small
+/// picture takes to draw. May be called from any thread.
 ///
-/// throws  command::MissingCapability where it is not installed, or one of those libraries is missing
+/// throws  command::MissingCapability if it is not installed, or one of these libraries is missing
 const ImageLibrary& image_library();
 
 }  // namespace litfog::image

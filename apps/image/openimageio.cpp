@@ -18,7 +18,7 @@ constexpr float kMaxHalf = 65'504;
 
 OIIO::ImageSpec float_spec(int width, int height) { return {width, height, 3, OIIO::TypeDesc::FLOAT}; }
 
-/// What failed last, in the first of the lines in which OpenImageIO tells it.
+/// The first line of OpenImageIO's last error.
 std::string error_of(const OIIO::ImageInput& input) {
   const std::string lines = input.geterror();
   return lines.substr(0, lines.find('\n'));
@@ -48,8 +48,8 @@ class OpenImageIo final : public ImageLibrary {
     OIIO::ImageSpec spec(width, height, 3, is_half ? OIIO::TypeDesc::HALF : OIIO::TypeDesc::FLOAT);
     spec.attribute("oiio:ColorSpace", "Linear");
     spec.attribute("compression", "zip");
-    spec.attribute("DateTime", 0);  // no time: the same picture is the same file
-    OIIO::attribute("debug", 0);    // which would tell on standard error that a date is left out
+    spec.attribute("DateTime", 0);  // no time, so that equal pictures give equal files
+    OIIO::attribute("debug", 0);    // or it would report the missing date on standard error
     std::vector<unsigned char> bytes;
     OIIO::Filesystem::IOVecOutput memory(bytes);
     const auto output = OIIO::ImageOutput::create("exr");
@@ -63,7 +63,7 @@ class OpenImageIo final : public ImageLibrary {
 
   std::vector<float> resized(int width, int height, std::span<const float> rgb, int new_width,
                              int new_height) const override {
-    const OIIO::ImageBuf image(float_spec(width, height), const_cast<float*>(rgb.data()));  // is read alone
+    const OIIO::ImageBuf image(float_spec(width, height), const_cast<float*>(rgb.data()));  // only read
     std::vector<float> pixels(std::size_t(new_width) * std::size_t(new_height) * 3);
     OIIO::ImageBuf small(float_spec(new_width, new_height), pixels.data());
     if (!OIIO::ImageBufAlgo::resize(small, image, "box")) throw ImageError(small.geterror());

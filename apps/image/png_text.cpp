@@ -10,14 +10,14 @@ namespace {
 
 constexpr int kCompressionLevel = 3;  // zlib's default, 6, takes three times as long for a tenth less
 
-/// Instead of libpng's longjmp, which would skip destructors, and of its line on standard error.
+/// Replaces libpng's longjmp, which would skip destructors, and its line on standard error.
 [[noreturn]] void fail(png_structp, png_const_charp words) { throw ImageError(words); }
 void ignore_warning(png_structp, png_const_charp) {}
 
 void* allocate(png_structp, png_alloc_size_t size) { return ::operator new(size); }
 void release(png_structp, void* memory) { ::operator delete(memory); }
 
-/// libpng of another version than that compiled for.
+/// Reports another version of libpng than the one compiled for.
 [[noreturn]] void fail_version() { throw ImageError("libpng is not the one compiled for"); }
 
 void append(png_structp writer, png_bytep bytes, std::size_t count) {
@@ -59,7 +59,7 @@ class PngWriter {
   png_infop info_ = nullptr;
 };
 
-/// Likewise.
+/// Owns libpng's state.
 class PngReader {
  public:
   explicit PngReader(std::string_view bytes)
@@ -79,7 +79,7 @@ class PngReader {
     Levels levels{int(png_get_image_width(png_, info_)), int(png_get_image_height(png_, info_)), 0, {}};
     accept(levels.width, levels.height);
     png_set_expand(png_);    // palettes and less than 8 bits; a transparent colour becomes alpha
-    png_set_scale_16(png_);  // rounds, where png_set_strip_16 cuts off
+    png_set_scale_16(png_);  // rounds; png_set_strip_16 would truncate
     png_set_interlace_handling(png_);
     png_read_update_info(png_, info_);
     levels.channels = png_get_channels(png_, info_);

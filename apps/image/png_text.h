@@ -11,14 +11,14 @@
 
 namespace litfog::image {
 
-/// PNG by libpng, with nothing printed: OpenImageIO lets libpng write to standard error before it tells of an error.
+/// PNG by libpng, with nothing printed: OpenImageIO lets libpng write to standard error before it reports an error.
 
-/// The bytes of a .png file. Levels are sRGB, RGB of 8 bits, rows from the top. Throws ImageError where libpng refuses.
+/// The bytes of a .png file. Levels are 8-bit sRGB, top row first. Throws ImageError if libpng refuses.
 std::string png_text(int width, int height, const std::vector<std::uint8_t>& levels);
 
-/// The levels of a .png file as they are, whatever it says of gamma and profiles; of 16 bits rounded to 8.
+/// The levels of a .png file as stored, ignoring gamma and profiles; 16 bits are rounded to 8.
 ///
-/// accept  is called with width and height before memory for the levels is taken; what it throws is passed on
+/// accept  called with width and height before memory is allocated; may throw
 /// throws  ImageError
 Levels decode_png(std::string_view bytes, const std::function<void(int, int)>& accept);
 

@@ -10,10 +10,10 @@
 namespace litfog::measure {
 namespace {
 
-/// The cosine between a cone's axis and the direction from its light to the point of a ray where the angle is smallest,
+/// The cosine of the smallest angle between a cone's axis and the directions from its light to a segment of a ray,
 /// rounded up.
 ///
-/// first, last  the ends of the ray's part, metres from its origin
+/// first, last  ends of the segment, metres from the ray's origin
 double largest_cosine(const PlacedLight& light, const EyeRay& ray, double first, double last) {
   constexpr double kRounding = 1e-9;
   const glm::dvec3 to_light = light.position - ray.origin;
@@ -36,9 +36,9 @@ double largest_cosine(const PlacedLight& light, const EyeRay& ray, double first,
   return std::min(largest + kRounding, 1.0);
 }
 
-/// The largest -f'(s) f(r), 1/m, where r >= |L - s|, L being the distance from the eye to the light. In exp fog the
-/// density is at most that of the thickest, and both legs together as deep as L in the thinnest or deeper. In exp2 fog
-/// it is the largest 2 d x e^(-x^2 - (d L - x)^2) with x = d s, where 4 x^2 = 1 + 2 d L x.
+/// The largest -f'(s) f(r), 1/m, where r >= |L - s| and L is the distance from the eye to the light. In exp fog the
+/// density is at most the thickest fog's, and the optical depth of both legs at least that of L in the thinnest fog. In
+/// exp2 fog it is the largest 2 d x e^(-x^2 - (d L - x)^2) with x = d s, where 4 x^2 = 1 + 2 d L x.
 double largest_weight(const Fog& thinnest, const Fog& thickest, double eye_range) {
   const double depth = thinnest.density * eye_range;
   if (thickest.mode == FogMode::exp) return thickest.density * std::exp(-depth);
@@ -59,7 +59,7 @@ double airlight_bound(const ReferenceLight& light, const EyeRay& ray, const Atmo
   const Attenuation& attenuation = light.placed.light.attenuation;
   const double brightest = attenuation_at(attenuation, nearest);
   const double eye_range = glm::length(to_light);
-  if (std::isinf(thinnest.density) && eye_range > 0) return 0;  // all is scattered in the eye
+  if (std::isinf(thinnest.density) && eye_range > 0) return 0;  // the fog at the eye hides everything
   const double offset = glm::distance(to_light, approach * ray.direction);
   const double half_chord = std::sqrt(std::max(light.fog_extent * light.fog_extent - offset * offset, 0.0));
   const double first = std::clamp(approach - half_chord, 0.0, ray.length);

@@ -10,7 +10,7 @@
 
 namespace litfog::measure {
 
-/// Wall times of a renderer's frames, each drawn to its end.
+/// Wall times of a renderer's frames, each waited for.
 struct FrameTimes {
   std::vector<double> milliseconds = {};  ///< ascending, not empty
   render::FrameCounts counts = {};        ///< each frame's
@@ -19,10 +19,10 @@ struct FrameTimes {
   double spread() const;  ///< from the 10th to the 90th percentile
 };
 
-/// "0.0987", "9.87", "41.2", "1234": milliseconds with three digits, or all before the point.
+/// "0.0987", "9.87", "41.2", "1234": milliseconds with three significant digits, or all integer digits.
 std::string milliseconds_text(double milliseconds);
 
-/// How many frames to time: until `seconds` have passed, but at least `fewest` and at most `most`, both >= 1.
+/// The number of frames to time: until `seconds` have passed, but at least `fewest` and at most `most`, both >= 1.
 struct FrameBudget {
   double seconds;
   int fewest;
@@ -31,16 +31,15 @@ struct FrameBudget {
   static FrameBudget exactly(int frames) { return {.seconds = 0, .fewest = frames, .most = frames}; }
 };
 
-/// Draws a frame to its end.
+/// Draws a frame and waits for it.
 using DrawFrame = std::function<render::FrameCounts()>;
 DrawFrame frames_of(render::Renderer& renderer);
 
-/// Draws and times frames, the renderers' interleaved, so that no renderer alone is hit where the machine is slow for a
-/// while. The first frame of each is not timed, because drivers compile a shader when it is first drawn with. Of
-/// several renderers the second is not, either: they compile it again where another renderer has changed OpenGL's
-/// state.
+/// Draws and times frames, the renderers' interleaved, so that a slow phase of the machine hits all of them. The first
+/// frame of each is not timed, because drivers compile a shader at its first draw call. With several renderers the
+/// second frame is not timed either, because drivers compile again where another renderer has changed GL state.
 ///
-/// renderers  of the current GL context; they hold their last frame afterwards
+/// renderers  all in the current GL context; they hold their last frame afterwards
 /// budget     for all renderers together; each draws the same number of frames
 /// progress   called before each frame
 /// returns    the renderers' times, in their order

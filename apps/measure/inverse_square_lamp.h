@@ -10,7 +10,7 @@ namespace litfog {
 
 inline constexpr double kQuadratic = 1e12;  // 1 / I; inverse-square beyond a micrometre
 
-/// A point lamp, 1 / (Q r^2), that lies so far ahead of the eye, in metres or, in fog of density 1, depths.
+/// A point lamp, 1 / (Q r^2), at a range ahead of the eye: metres or, in fog of density 1, optical depths.
 inline PlacedLight lamp_ahead(double range) {
   Light light;
   light.attenuation = {.constant = 0, .linear = 0, .quadratic = kQuadratic};
@@ -18,7 +18,7 @@ inline PlacedLight lamp_ahead(double range) {
   return {.light = light, .position = {0, 0, -range}};
 }
 
-/// A ray at an angle to the direction to that lamp, radians.
+/// A ray at an angle to the direction to the lamp, radians.
 inline EyeRay ray_beside(double angle, double length = std::numeric_limits<double>::infinity()) {
   return {.direction = {std::sin(angle), 0, -std::cos(angle)}, .length = length};
 }

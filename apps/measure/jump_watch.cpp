@@ -12,15 +12,15 @@ namespace {
 
 constexpr double kUnit = 0x1p-22;             // some units in the last place of a float near 1
 constexpr double kHorizonRounding = 0x1p-20;  // rounding of a direction's height, interpolated over the picture
-constexpr double kMaxRounding = 5e-4;         // fraction of an extent, some kilometres from the origin
+constexpr double kMaxRounding = 5e-4;         // fraction of an extent, for lights kilometres from the origin
 
 bool is_seen(const glm::dvec3& jump) {
-  constexpr double kLeast = 1e-4;  // a third of a step on the display where it is darkest
+  constexpr double kLeast = 1e-4;  // a third of a step on the display at black
   return render::largest_component(jump) > kLeast;
 }
 
-/// Relative rounding of the vector from a light to a position, both of them floats. It is large where the vector is
-/// short and both are far from the origin.
+/// Relative rounding of the vector from a light to a position, both in floats. It is large if the vector is short and
+/// both are far from the origin.
 double rounding_of(const ReferenceLight& light, const glm::dvec3& position, double range) {
   const glm::dvec3 largest = glm::max(glm::abs(light.placed.position), glm::abs(position));
   return kUnit * (1 + render::largest_component(largest) / range);

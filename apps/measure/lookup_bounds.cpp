@@ -23,7 +23,7 @@ LookupBounds::Interval LookupBounds::surface_color(const SurfacePoint& point) co
   const glm::dvec3 without_lamps = model_.without_lamps(point);
   Interval color{without_lamps, without_lamps};
   for (const ReferenceLight& light : model_.lights()) {
-    // Texels around a position: within a cell of the 3-D map, or one of each of the 2-D maps.
+    // Texels around a position: within a cell of the 3-D map, or a cell of each 2-D map.
     const double around = 3 * texel_ * light.extent;
     const auto ray = ray_within(light.extent + around, light, point.position);
     if (!ray || model_.is_in_shadow(point, light)) continue;
@@ -48,13 +48,13 @@ LookupBounds::Interval LookupBounds::fog_color(const glm::dvec3& position) const
 }
 
 LookupBounds::Fractions LookupBounds::emitted(const ReferenceLight& light, const glm::dvec3& direction) const {
-  if (light.cookie) {  // the cube map holds the cookie's own texels, but filters them across the faces' edges
+  if (light.cookie) {  // the cube map holds the cookie's own texels, but filters them across face edges
     if (is_at_seam(light, direction)) return {0, 1};
     const double exact = light.emitted(direction);
     return {exact, exact};
   }
-  // The largest angle that the diagonal of a texel spans. A face spans the cone where the map is scaled
-  // (cone_map_scale), else a quarter of the circle.
+  // The largest angle that a texel's diagonal spans. A face spans the cone if the map is scaled (cone_map_scale), else
+  // a quarter of the circle.
   const double turn =
       std::numbers::sqrt2 / std::min(render::cone_map_scale(light.placed.light.cone, cone_maps_), 1.0) * texel_;
   const double angle = std::acos(std::clamp(glm::dot(light.placed.direction, direction), -1.0, 1.0));

@@ -15,9 +15,9 @@
 namespace litfog::measure {
 namespace {
 
-/// The normal map's normal from the interpolated tangent space into world space (Jason Lacroix 2005, "Let There Be
-/// Light!: A Unified Lighting Technique for a New Generation of Games", listing 2.3). Material::normal has the rule by
-/// which the texel states the level that means 0.
+/// The normal map's normal, from the interpolated tangent space into world space (Jason Lacroix 2005, "Let There Be
+/// Light!: A Unified Lighting Technique for a New Generation of Games", listing 2.3). Material::normal says which level
+/// means 0.
 glm::dvec3 mapped_normal(const render::GeometrySample& sample, double scale) {
   const glm::dvec4 texel = sample.normal_texel;
   const glm::dvec3 bump = 2.0 * glm::dvec3(texel) - (256 - std::floor(texel.a + 0.5 / 255)) / 255;
@@ -27,7 +27,7 @@ glm::dvec3 mapped_normal(const render::GeometrySample& sample, double scale) {
   return glm::normalize((t * bump.x + b * bump.y) * scale + n * bump.z);
 }
 
-/// The atmosphere relative to the renderer's origin, with light from outside entering where it does in the world.
+/// The atmosphere relative to the renderer's origin. Light from outside enters it at the same height as in the world.
 Atmosphere moonlit_air(const render::Renderer& renderer) {
   Atmosphere air = renderer.atmosphere();
   air.top = air.light_top();
@@ -79,7 +79,7 @@ PathModel::PathModel(const render::Renderer& renderer)
     ReferenceLight& light = lights_[caster.scene_light];
     light.casts_shadows = true;
     if (settings_.shadows != render::Shadows::shafts) continue;
-    light.fog_threshold = light.placed.light.threshold;  // no shafts are cut out of what lies beyond
+    light.fog_threshold = light.placed.light.threshold;  // beyond this, airlight has no shafts
     light.fog_extent = compute_extent(light.placed.light.attenuation, light.fog_threshold);
   }
 }

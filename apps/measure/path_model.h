@@ -15,8 +15,8 @@
 
 namespace litfog::measure {
 
-/// What the Basic model (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", section 5.2) needs to know of a
-/// point of a surface.
+/// A point of a surface as the Basic model takes it (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", section
+/// 5.2).
 struct SurfacePoint {
   glm::dvec3 position;
   glm::dvec3 normal;  ///< unit
@@ -24,7 +24,7 @@ struct SurfacePoint {
   glm::dvec3 emissive;
   glm::dvec3 ambient;  ///< reflectance of ambient light
   glm::dvec3 diffuse;
-  glm::dvec3 specular;  ///< 0 where the path has no highlights
+  glm::dvec3 specular;  ///< 0 if the path has no highlights
   double shininess;
   double vertex_moon_cosine;  ///< normal . moon direction at the vertices, interpolated
 };
@@ -35,10 +35,10 @@ struct LightRay {
   double range;          ///< metres
 };
 inline constexpr double kAnyRange = std::numeric_limits<double>::infinity();
-/// Nothing if the position is farther than a range, or if it is the light's own, to which there is no direction.
+/// The ray to a position within a range. Nothing for positions beyond, or at the light, where there is no direction.
 std::optional<LightRay> ray_within(double range, const ReferenceLight& light, const glm::dvec3& position);
 
-/// The fog before a position: over(colour) is how the eye sees the colour behind it.
+/// The fog before a position: over(colour) is the colour behind it as the eye sees it.
 struct Veil {
   glm::dvec3 color;
   double opacity;
@@ -46,38 +46,38 @@ struct Veil {
   glm::dvec3 over(const glm::dvec3& color_behind) const { return glm::mix(color_behind, color, opacity); }
 };
 
-/// The formulas of a renderer's lighting path in double, written as the papers have them: no maps, no tessellation, no
-/// skipping. Every light is evaluated at every sample, except airlight that is proved to be negligible.
+/// The formulas of a renderer's lighting path in double, as in the papers: no maps, no tessellation, no skipping. Every
+/// light is evaluated at every sample, except airlight that is proved to be negligible.
 class PathModel {
  public:
-  /// renderer  has to outlive this
+  /// renderer  must outlive this object
   explicit PathModel(const render::Renderer& renderer);
 
   const std::vector<ReferenceLight>& lights() const { return lights_; }
   const render::LightingPath& path() const { return path_; }
   const scene::Environment& environment() const { return environment_; }
 
-  /// sample  not of the sky
+  /// sample  of a surface, not the sky
   SurfacePoint surface_point(const render::GeometrySample& sample) const;
 
-  /// What a surface sends to the eye, before fog: without_lamps + sum over the lights, except those in whose shadow it
-  /// is, of color * emitted * falloff * reflectance.
+  /// Radiance of a surface towards the eye, before fog: without_lamps + sum of color * emitted * falloff * reflectance
+  /// over the lights that no shadow hides.
   glm::dvec3 surface_color(const SurfacePoint& point) const;
-  /// Its emissive, ambient and directional light, and that which the fog scatters.
+  /// A surface's emissive, ambient, directional and scattered light.
   glm::dvec3 without_lamps(const SurfacePoint& point) const;
-  /// A light's attenuation by the path's range law and, lit by airlight, by the fog between it and a height at that
+  /// A light's attenuation by the path's range law and, by airlight, by the fog between the light and a height at that
   /// range; 0 beyond its extent.
   double falloff(const ReferenceLight& light, double height, double range) const;
   /// The fraction of the light from a unit direction that the surface reflects.
   glm::dvec3 reflectance(const SurfacePoint& point, const glm::dvec3& to_light) const;
-  /// The specular part of it, as if the surface faced the light.
+  /// The specular part of reflectance(), as if the surface faced the light.
   glm::dvec3 highlight(const SurfacePoint& point, const glm::dvec3& to_light) const;
 
-  /// Whether it is in the shadow of a light that casts shadows.
+  /// Whether a point is in a light's shadow.
   bool is_in_shadow(const SurfacePoint& point, const ReferenceLight& light) const {
     return light.casts_shadows && shadows_->is_dark(light, point.position);
   }
-  /// Whether it is so near to the edge of such a shadow that a shadow map may put it on the other side.
+  /// Whether a point is so near to a shadow's edge that a shadow map may put it on the other side.
   bool is_at_shadow_edge(const SurfacePoint& point, const ReferenceLight& light) const {
     return light.casts_shadows && shadows_->is_at_edge(light, point.position, point.normal);
   }
@@ -89,32 +89,31 @@ class PathModel {
   bool is_at_moon_shadow_edge(const SurfacePoint& point) const {
     return shadows_ && shadows_->is_at_moon_edge(point.position, point.normal);
   }
-  /// What a surface reflects of the directional light, were it in no shadow.
+  /// The directional light that a surface reflects, ignoring shadows.
   glm::dvec3 moonlight(const SurfacePoint& point) const;
 
   Veil veil(const glm::dvec3& position) const;
-  /// The directional light's airlight before a position; no shaft is cut out of it.
+  /// The directional light's airlight before a position, without shafts.
   glm::dvec3 moon_airlight(const glm::dvec3& position) const;
-  /// The same along a ray to the sky that runs so many metres through the fog: up to where moonlight enters.
+  /// The same along a ray to the sky with a length in the fog, metres: up to where moonlight enters.
   glm::dvec3 moon_airlight_before_sky(const glm::dvec3& direction, double range) const;
   /// The opacity of the fog between the eye and a position.
   double opacity_before(const glm::dvec3& position) const;
   const glm::dvec3& eye() const { return eye_; }  ///< relative to the renderer's origin
-  /// The renderer's, with its heights relative to the renderer's origin.
+  /// The renderer's atmosphere, its heights relative to the renderer's origin.
   const Atmosphere& atmosphere() const { return atmosphere_; }
   /// Whether a light lights the fog. Only then is it visible in `veil`.
   bool lights_fog(const ReferenceLight& light) const { return path_.has_lit_fog && light.fog_intensity > 0; }
-  /// The airlight of all lights along a ray from the eye, by the definition's integral, except for the shafts of those
-  /// that cut them; 0 where the renderer lights the fog otherwise. What it leaves out adds up to less than
-  /// kAirlightBudget of what the renderer's exposure shows as white; what lights' ends cut off, to less than kCutOff of
-  /// it.
+  /// The airlight of all lights along a ray from the eye, by the definition's integral, minus shafts of shadow; 0 if
+  /// the renderer lights the fog otherwise. All that it leaves out is less than kAirlightBudget of the renderer's
+  /// white; all that the lights' ends cut off is less than kCutOff of it.
   ///
   /// direction  unit
   glm::dvec3 airlight(const glm::dvec3& direction, double length) const;
   static constexpr double kAirlightBudget = 1e-6;
 
  private:
-  /// What the fog around a point scatters on it of the light of all lamps.
+  /// The light of all lamps that the fog scatters onto a point.
   glm::dvec3 scattered_light(const SurfacePoint& point) const;
   /// The airlight of a light of colour 1.
   double airlight(const ReferenceLight& light, const EyeRay& ray) const;
@@ -125,7 +124,7 @@ class PathModel {
   Atmosphere atmosphere_;
   std::vector<scene::Material> materials_;
   std::vector<ReferenceLight> lights_;
-  std::optional<ScatteringTable> scattering_;  // of higher orders
+  std::optional<ScatteringTable> scattering_;  // higher orders
   Atmosphere moonlit_air_;
   bool is_fog_moonlit_;
   double airlight_budget_;
@@ -134,21 +133,21 @@ class PathModel {
   glm::dvec3 forward_;  // unit: the camera's axis
 };
 
-/// Finds the samples whose side of a jump of the model is decided by the rounding of floats: at a light's extent, at
-/// the edge of a cosine cone, where a surface with highlights is just turned away, and where the fog seen from above
-/// ends at the horizon; or by the texels of a shadow map, near the edge of a shadow (ReferenceShadows::kEdgeTexels).
-/// Jumps too small to be seen do not count.
+/// Finds the samples whose side of a jump of the model depends on the rounding of floats: at a light's extent, at the
+/// edge of a cosine cone, where a surface with highlights just turns away, and where fog seen from above ends at the
+/// horizon; or on the texels of a shadow map, near a shadow's edge (ReferenceShadows::kEdgeTexels). Jumps too small to
+/// be seen do not count.
 class JumpWatch {
  public:
-  /// model  has to outlive this
+  /// model  must outlive this object
   explicit JumpWatch(const PathModel& model) : model_(model) {}
 
   /// Whether the light that a surface sends to the eye jumps.
   bool is_at_jump(const SurfacePoint& point) const;
   /// Whether the fog before a position jumps.
   bool is_at_jump(const Veil& veil, const glm::dvec3& position) const;
-  /// Whether the fog before the sky jumps in a direction, whose height decides the side of the horizon. The fog's top
-  /// is `fog_above_eye` metres above the eye.
+  /// Whether the fog before the sky jumps in a direction: whether rounding decides its side of the horizon. The fog's
+  /// top is `fog_above_eye` metres above the eye.
   bool is_at_fog_horizon(double fog_above_eye, const glm::dvec3& direction) const;
 
  private:
@@ -158,12 +157,12 @@ class JumpWatch {
   const PathModel& model_;
 };
 
-/// The range of colours that a path with light maps may give a surface. A look-up is between the light's values at the
-/// texels around it, so the colour is between two that the formulas give for a light slightly nearer or farther, and
+/// The range of colours that a path with light maps may give a surface. A look-up lies between the light's values at
+/// the texels around it. So the colour lies between the formulas' results for a light slightly nearer or farther, and
 /// slightly nearer to its axis or farther from it.
 class LookupBounds {
  public:
-  /// model  of a path with light maps; has to outlive this
+  /// model  of a path with light maps; must outlive this object
   LookupBounds(const PathModel& model, const render::PaperSettings& settings)
       : model_(model), cone_maps_(settings.cone_maps), texel_(2.0 / (settings.map_size - 1)) {}
 
@@ -171,9 +170,9 @@ class LookupBounds {
     glm::dvec3 least;
     glm::dvec3 most;
   };
-  /// The light that a surface sends to the eye, before fog.
+  /// Radiance of a surface towards the eye, before fog.
   Interval surface_color(const SurfacePoint& point) const;
-  /// The colour of the fog before a position, by a path whose maps light it (LightingPath::has_mapped_fog).
+  /// The colour of the fog before a position, on a path whose maps light the fog (LightingPath::has_mapped_fog).
   Interval fog_color(const glm::dvec3& position) const;
 
  private:

@@ -12,42 +12,42 @@
 
 namespace litfog::measure {
 
-/// How far a picture is from its reference, in steps of 1/255 of what a display shows.
+/// Error of a picture against its reference, in displayed steps of 1/255.
 ///
-/// Light is multiplied by 2^exposure first. Up to 1 these are steps of linear light encoded as sRGB, the values that a
-/// PNG holds before they are rounded. (A night scene is dark, and 1/255 of linear light would pass errors there that
-/// are 13 steps on the display.) Above 1, where a display shows no more, steps are relative: the scale goes on as a
-/// logarithm with the slope that sRGB has at 1, and a step is 0.9 % of the light. Light below 0 counts as 0.
+/// Light is first multiplied by 2^exposure. Up to 1, steps are of light encoded as sRGB, the values of a PNG before
+/// rounding. (In dark night scenes 1/255 of linear light would be 13 steps on the display.) Above 1, where a display
+/// clips, steps are relative: the scale continues as a logarithm with the slope of sRGB at 1, and a step is 0.9 % of
+/// the light. Light below 0 counts as 0.
 struct PictureError {
   int width = 0;
   int height = 0;
   std::vector<float> pixels = {};  ///< the largest of the three channels' errors; -1 where the pixel is excluded
-  /// Infinite, like the mean, where any pixel of either picture, even an excluded one, is infinite or NaN.
+  /// Infinite, like the mean, if any pixel of either picture, even an excluded one, is infinite or NaN.
   double largest = 0;
   double mean = 0;
-  double beyond_maps = 0;    ///< the largest beyond what the path's light maps leave open; `largest` without maps
+  double beyond_maps = 0;    ///< largest error outside the range of the light maps; `largest` without maps
   std::size_t excluded = 0;  ///< pixels at a jump of the model (ReferencePicture::is_at_jump)
 };
 
 /// Compares two pictures of one size.
 ///
-/// exposure  EV at which they are shown
+/// exposure  EV of the display
 PictureError picture_error(const render::Picture& drawn, const ReferencePicture& reference, double exposure = 0);
 
-/// "largest error 0.139, mean 0.0126 of 1/255", and how many pixels are excluded if any are.
+/// "largest error 0.139, mean 0.0126 of 1/255", and the number of excluded pixels if there are any.
 std::string error_in_words(const PictureError& error);
 
-/// A frame beside what its lighting path's plain formulas give in double. The points of lamps are left out of the
-/// reference and of the error: every path draws them alike, and no path shades them.
+/// A frame and its reference by the lighting path's plain formulas in double. Reference and error leave out the points
+/// of lamps: every path draws them alike, and no path shades them.
 struct Comparison {
   render::Picture drawn;  ///< with the lamps' points
   render::Picture reference;
   PictureError error;  ///< error of the frame without the lamps' points, at the renderer's exposure
 };
 
-/// Compares the frame that a renderer has drawn last with its reference.
+/// Compares a renderer's last frame with its reference.
 ///
-/// throws  what shade_reference throws
+/// throws  like shade_reference
 Comparison compare_with_reference(render::Renderer& renderer, const Progress& progress = {});
 
 }  // namespace litfog::measure

@@ -6,11 +6,11 @@
 
 namespace litfog::measure {
 
-/// What of an OpenGL driver takes longest: it compiles a shader when that is first drawn with.
+/// The longest step of an OpenGL driver: it compiles a shader at its first draw call.
 inline constexpr std::string_view kCompiling = "compiling shaders";
 
-/// Called now and then, on the caller's thread, with what is being done: "timing frame 3, 2 of 10", "shading the
-/// reference: 40 %". An empty one is not called.
+/// Called now and then, on the caller's thread, with the current step: "timing frame 3, 2 of 10", "shading the
+/// reference: 40 %". May be empty.
 using Progress = std::function<void(std::string_view step)>;
 
 }  // namespace litfog::measure

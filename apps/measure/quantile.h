@@ -8,7 +8,7 @@
 
 namespace litfog::measure {
 
-/// The value below which a fraction of the values lies, interpolated between neighbours: fraction 0.5 is the median.
+/// The quantile of values at a fraction, interpolated between neighbours: fraction 0.5 is the median.
 ///
 /// values    not empty
 /// fraction  [0, 1]

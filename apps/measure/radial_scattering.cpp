@@ -16,7 +16,7 @@ using std::numbers::pi;
 using Numbers = std::vector<double>;
 
 constexpr double kNearest = 1e-5, kFarthest = 200;  // depths of the first and last node
-constexpr double kLastDepth = 25;                   // of a ray, beyond which e^-depth hides all
+constexpr double kLastDepth = 25;                   // along a ray; e^-depth hides everything beyond
 constexpr double kSharpAngle = 5e-4;                // radians, below which nodes are no longer logarithmic
 
 /// Gauss's rule on [0, 1].
@@ -27,7 +27,7 @@ constexpr std::array<std::array<double, 2>, 4> kGauss{{{0.06943184420297371, 0.1
 
 double stretch(double angle) { return std::asinh(angle / kSharpAngle) + angle; }
 
-/// Lagrange's weights of four neighbouring nodes; beyond the ends the value of the end.
+/// Lagrange weights of four neighbouring nodes; constant beyond the ends.
 struct Cubic {
   std::size_t first;
   double weights[4];
@@ -47,8 +47,8 @@ Cubic cubic(const Numbers& nodes, double x) {
   return result;
 }
 
-/// A lobe over its isotropic value and averaged around the axis from which the angles of both directions are. The
-/// substitution takes the pole of its root as far from the real axis as it goes.
+/// A lobe relative to isotropic, averaged around the axis from which both angles are measured. The substitution moves
+/// the pole of its root as far from the real axis as possible.
 double averaged(const PhaseLobe& lobe, double angle, double other) {
   const double g = std::abs(lobe.asymmetry);
   const double half = std::sin((angle - other) / 2), sines = std::sin(angle) * std::sin(other);
@@ -58,8 +58,8 @@ double averaged(const PhaseLobe& lobe, double angle, double other) {
   const Phase phase{.first = lobe};
   double sum = 0;
   for (int i = 0; i < kAround; ++i) {
-    const double tangent = std::tan(pi / 2 * (i + 0.5) / kAround);  // of half the substitute
-    const double mapped = shape * tangent;                          // of half the azimuth
+    const double tangent = std::tan(pi / 2 * (i + 0.5) / kAround);  // tangent of half the substitute
+    const double mapped = shape * tangent;                          // tangent of half the azimuth
     const double square = mapped * mapped / (1 + mapped * mapped);
     const double slope = shape * (1 + tangent * tangent) / (1 + mapped * mapped);
     const double versine = std::min(2 * half * half + 2 * sines * square, 2.0);
@@ -86,7 +86,7 @@ RadialScattering::RadialScattering(double fineness) {
   for (const double depth : log_depth_) {
     for (const double angle : angle_) {
       begins_.push_back(samples_.size());
-      if (angle == 0) continue;  // it looks at the lamp, where M is infinite and the angle's sine 0
+      if (angle == 0) continue;  // towards the lamp, where M is infinite and the angle's sine 0
       follow(std::exp(depth), angle, [&](const Cubic& at_depth, const Cubic& at_angle, double weight) {
         Sample sample{std::uint32_t(at_depth.first * angle_.size() + at_angle.first), {}, {}};
         for (std::size_t i = 0; i < 4; ++i) {
@@ -100,8 +100,8 @@ RadialScattering::RadialScattering(double fineness) {
   begins_.push_back(samples_.size());
 }
 
-/// The integral along a ray: over the hyperbolic angle from its point nearest to the lamp, whose element times the
-/// depth from the lamp is that of length.
+/// The integral along a ray, over the hyperbolic angle from its point nearest to the lamp. The element of this angle
+/// times the depth from the lamp is the element of length.
 template <typename Use>
 void RadialScattering::follow(double depth, double angle, const Use& use) const {
   const double offset = std::max(depth * std::sin(angle), 1e-12 * depth), approach = depth * std::cos(angle);
@@ -142,7 +142,7 @@ Numbers RadialScattering::travel(const Numbers& source) const {
   return result;
 }
 
-/// K as a matrix over the angles, of light times the sine of its angle. Points are dense where the lobe is narrow.
+/// K as a matrix over the angles, for light times the sine of its angle. Points are dense where the lobe is narrow.
 Numbers RadialScattering::redistribution(const Phase& phase) const {
   const std::size_t angles = angle_.size();
   Numbers matrix(angles * angles);
@@ -166,7 +166,7 @@ Numbers RadialScattering::redistribution(const Phase& phase) const {
           low = high;
         }
       }
-      // Light from all sides stays as it is, to the last digit: a loss of 1e-6 a scattering is seen from 10 depths.
+      // Light from all sides is conserved to the last digit: a loss of 1e-6 a scattering would show at 10 depths.
       double all = 0;
       for (std::size_t i = 0; i < angles; ++i) all += weights[i] * std::sin(angle_[i]);
       for (std::size_t i = 0; i < angles; ++i) matrix[row * angles + i] += weights[i] * share / all;
@@ -208,7 +208,7 @@ RadialScattering::Glow RadialScattering::solve(const Phase& phase, const Law& la
       for (int panel = 0; panel < panels && angle < pi; ++panel) {
         for (const auto& [node, weight] : kGauss) {
           const double wanted = begin + (end - begin) * (panel + node) / panels;
-          double at = kSharpAngle * std::sinh(std::min(wanted, 9.4));  // stretch's inverse by Newton's method
+          double at = kSharpAngle * std::sinh(std::min(wanted, 9.4));  // inverse of stretch by Newton's method
           at = std::clamp(at, angle, pi);
           for (int k = 0; k < 30; ++k) {
             at -= (stretch(at) - wanted) / (1 / std::hypot(kSharpAngle, at) + 1);
@@ -240,7 +240,7 @@ RadialScattering::Glow RadialScattering::solve(const Phase& phase, const Law& la
   const Numbers shadow = residual;
   Numbers direction(count), image(count);
   double rho = 1, alpha = 1, omega = 1;
-  // Far from the lamp there is 1e-5 of the light near it, and a residual of 1e-7 would be seen there.
+  // Far from the lamp there is 1e-5 of the light near it, and a residual of 1e-7 would show there.
   const double enough = 1e-22 * dot(right, right);
   for (int iteration = 0; dot(residual, residual) > enough; ++iteration) {
     if (iteration == 400) throw std::runtime_error("the radial solution does not converge");

@@ -38,7 +38,7 @@ std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const At
     PlacedLight placed = scene::lit_light(scene, i);
     placed.light = render::drawn_light(placed.light, settings, exposure);
     const Light& light = placed.light;
-    // Beyond a light's end a(r) is below the threshold, and the fog's weights along a ray sum to less than 1.
+    // Beyond a light's end a(r) is below the threshold, and the fog's weights along a ray add up to less than 1.
     const double each = kCutOff * std::exp2(-exposure) / double(scene.lights.size());
     const double brightest =
         airlight_unit(atmosphere) * render::largest_component(light.color) * largest_phase(atmosphere.phase);

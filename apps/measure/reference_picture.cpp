@@ -17,7 +17,7 @@
 namespace litfog::measure {
 namespace {
 
-/// The direction in which the middle of a pixel is seen; row 0 is the top one.
+/// Directions through the centres of pixels; row 0 is the top row.
 class PixelRays {
  public:
   PixelRays(const scene::Camera& camera, int width, int height)
@@ -30,18 +30,18 @@ class PixelRays {
     return glm::normalize(axes_.forward + axes_.right * off.x + axes_.up * off.y);
   }
 
-  /// Metres along a direction to a distance along the camera's axis.
+  /// The length along a direction, metres, that reaches a distance along the camera's axis.
   double length_to(double distance, const glm::dvec3& direction) const {
     return distance / glm::dot(direction, axes_.forward);
   }
 
  private:
   scene::CameraAxes axes_;
-  double pixel_;       // the size of one, a metre ahead
+  double pixel_;       // size of a pixel one metre ahead
   glm::dvec2 middle_;  // pixels
 };
 
-/// A colour, the colours between which light maps leave it, and whether rounding decides on it.
+/// A colour, its range by light maps, and whether rounding decides on it.
 struct Shade {
   glm::dvec3 color{0.0};
   glm::dvec3 least{0.0};
@@ -66,12 +66,12 @@ class ReferenceShading {
 
   /// The mean of a pixel's samples.
   ///
-  /// samples  what is seen behind all panes
-  /// panes    of each sample those in front of that and behind it, in any order; a material of -1 is none
+  /// samples  surfaces or sky behind all panes
+  /// panes    layers of panes before and behind each sample, in any order; material -1: none
   Shade pixel(Samples samples, std::span<const Samples> panes, int x, int y) const {
     const glm::dvec3 direction = rays_.direction(x, y);
     Shade mean;
-    std::vector<double> seen(samples.size(), 1);  // how much of each sample is seen
+    std::vector<double> seen(samples.size(), 1);  // visible fraction of each sample
     if (panes.empty()) {
       add(samples, seen, direction, mean);
       return mean;
@@ -82,7 +82,7 @@ class ReferenceShading {
         const render::GeometrySample& pane = panes[i][k];
         if (pane.material < 0 || pane.depth < samples[k].depth) continue;
         pane_seen[k] = double(pane.opacity);
-        for (std::size_t j = 0; j < panes.size(); ++j) {  // at equal depth the pane drawn last is in front
+        for (std::size_t j = 0; j < panes.size(); ++j) {  // at equal depth the last pane drawn is in front
           const render::GeometrySample& other = panes[j][k];
           const bool is_before = other.depth > pane.depth || (other.depth == pane.depth && j > i);
           if (other.material >= 0 && is_before) pane_seen[k] *= 1 - double(other.opacity);
@@ -96,7 +96,7 @@ class ReferenceShading {
   }
 
  private:
-  /// Adds what is seen of a pixel's samples, as a part of all of them.
+  /// Adds the visible fraction of a pixel's samples to the pixel's mean.
   void add(Samples samples, std::span<const double> seen, const glm::dvec3& direction, Shade& mean) const {
     for (std::size_t i = 0; i < samples.size(); ++i) {
       const render::GeometrySample& sample = samples[i];
@@ -175,7 +175,7 @@ void set_pixel(render::Picture& picture, std::size_t pixel, const glm::dvec3& co
   }
 }
 
-/// The layers of a renderer's panes in some rows, until one is empty.
+/// Reads the layers of a renderer's panes in some rows, up to the first empty layer.
 std::vector<std::vector<render::GeometrySample>> read_panes(render::Renderer& renderer,
                                                             const render::GeometryBuffer& geometry, int first,
                                                             int count) {
@@ -204,7 +204,7 @@ ReferencePicture shade_reference(render::Renderer& renderer, const Progress& pro
   for (int first = 0; first < height; first += render::GeometryBuffer::kMaxRows) {
     const int count = std::min(render::GeometryBuffer::kMaxRows, height - first);
     std::vector<std::vector<render::GeometrySample>> pane_rows;
-    if (renderer.has_panes()) {  // which are drawn into the same buffer
+    if (renderer.has_panes()) {  // drawn into the same buffer
       pane_rows = read_panes(renderer, geometry, first, count);
       renderer.draw_geometry(geometry);
     }

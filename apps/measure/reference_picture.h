@@ -13,12 +13,11 @@ namespace litfog::measure {
 /// A picture to compare others with.
 struct ReferencePicture {
   render::Picture picture;
-  /// The values between which the texels of the path's light maps leave the picture (LookupBounds). Without maps they
-  /// are the picture itself.
+  /// The range of values that the texels of the path's light maps allow (LookupBounds). Without maps both are the
+  /// picture itself.
   render::Picture least;
   render::Picture most;
-  /// One a pixel: 1 where a sample lies so close to a jump of the model that the rounding of floats decides on which
-  /// side (JumpWatch).
+  /// One per pixel: 1 if a sample is so close to a jump of the model that rounding decides its side (JumpWatch).
   std::vector<std::uint8_t> is_at_jump;
 };
 
@@ -29,7 +28,7 @@ struct ReferencePicture {
 /// tangent, and the texels of the material's maps, because OpenGL leaves their filter and level of detail to the
 /// driver.
 ///
-/// A pixel's samples are averaged in double, before anything is clamped, as the framebuffer averages them.
+/// A pixel's samples are averaged in double before clamping, as in the framebuffer.
 ///
 /// throws  gl::Unsupported where the driver has no float framebuffer of the picture's size
 ReferencePicture shade_reference(render::Renderer& renderer, const Progress& progress = {});

@@ -15,11 +15,11 @@ namespace litfog::measure {
 namespace {
 
 constexpr double kRounding = 1e-6;    // relative rounding of positions in floats
-constexpr double kOwnSurface = 1e-4;  // fraction of the range within which a hit is the position's own triangle
+constexpr double kOwnSurface = 1e-4;  // fraction of the range; nearer hits are the position's own triangle
 constexpr double kEndless = std::numeric_limits<double>::infinity();
 
-/// The distance from a lamp to a plane in a direction; nothing if the plane is behind, or more than twice as far as the
-/// point of it that the direction is near to.
+/// The distance from a lamp to a plane along a direction. Nothing if the plane is behind the lamp, or more than twice
+/// as far as its given point.
 std::optional<double> distance_to_plane(const glm::dvec3& point, const glm::dvec3& normal,
                                         const glm::dvec3& direction) {
   const double distance = glm::dot(normal, point) / glm::dot(normal, direction);
@@ -27,7 +27,7 @@ std::optional<double> distance_to_plane(const glm::dvec3& point, const glm::dvec
   return distance;
 }
 
-/// How far apart the texels of a lamp's map are, across the ray to a position. Metres.
+/// The distance between texels of a lamp's map, across the ray to a position. Metres.
 double texel_width(const ReferenceLight& light, const glm::dvec3& from_lamp, double map_size) {
   const glm::dvec3 seen = glm::abs(scene::basis_from_world(light.placed.direction) * from_lamp);
   const double half_angle = cutoff_angle(light.placed.light.cone);
@@ -63,7 +63,7 @@ bool ReferenceShadows::is_met(const Probe& probe, double before_plane) const {
   return triangles_.is_met(probe.origin, probe.direction, probe.first, probe.distance - before_plane);
 }
 
-/// The normal of the triangle on which a probe ends, or else the surface's.
+/// The normal of the triangle where a probe ends, or else the surface's.
 glm::dvec3 ReferenceShadows::plane_at(const Probe& probe, const glm::dvec3& normal) const {
   const double slack = kOwnSurface * probe.distance;
   const auto own = triangles_.nearest(probe.origin, probe.direction, probe.distance - slack, probe.distance + slack);
@@ -81,12 +81,12 @@ bool ReferenceShadows::is_at_edge(const ProbeAt& probe_at, double contact) const
       const double angle = 2 * std::numbers::pi * (i + 0.5 * ring) / kRays;
       const double texels = kEdgeTexels * (ring + 1) / kRings;
       const std::optional<Probe> probe = probe_at(texels * glm::dvec2(std::cos(angle), std::sin(angle)));
-      if (!probe) return true;  // the texel sees the surface edge on
+      if (!probe) return true;  // the texel sees the surface edge-on
       probes.push_back(*probe);
       steepest = std::max(steepest, std::abs(probe->distance - probes[0].distance) / texels);
     }
   }
-  // A map may take what is this near to the surface for it: twice the sum of its slopes over a texel of both axes.
+  // A map may confuse what is this near with the surface: twice the sum of its slopes over a texel of both axes.
   const double most_contact = 2 * std::numbers::sqrt2 * steepest + 2 * contact;
   const bool is_dark = is_met(probes[0], most_contact);
   return std::ranges::any_of(probes, [&](const Probe& probe) {
@@ -141,7 +141,7 @@ std::vector<std::pair<double, double>> ReferenceShadows::lit_stretches(const Ref
   const double high = std::min(ray.length, approach + chord);
   std::vector<std::pair<double, double>> stretches;
   if (!(high > low)) return stretches;
-  // Denser near the lamp, where its light is.
+  // Denser near the lamp, where the light is.
   const double width = std::max(offset, 0.5);
   const double first = std::asinh((low - approach) / width);
   const double last = std::asinh((high - approach) / width);

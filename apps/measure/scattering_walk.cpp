@@ -21,14 +21,14 @@ namespace {
 using std::numbers::pi;
 using Vector = glm::dvec3;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kLeastOffset = 1e-14;  // metres, of a leg from the lamp: where the angle at the lamp is a step
+constexpr double kLeastOffset = 1e-14;  // metres from lamp to leg; below, the angle at the lamp is a step
 
-/// SplitMix64 (Guy Steele, Doug Lea and Christine Flood 2014, "Fast Splittable Pseudorandom Number Generators"): the
-/// hashes of a counter.
+/// SplitMix64 (Guy Steele, Doug Lea and Christine Flood 2014, "Fast Splittable Pseudorandom Number Generators"): hashes
+/// of a counter.
 class Random {
  public:
   Random(std::uint64_t seed, std::uint64_t stream) : counter_(mix(mix(seed) + stream)) {}
-  /// In (0, 1).
+  /// A number in (0, 1).
   double unit() { return (double(mix(counter_ += 0x9E3779B97F4A7C15u) >> 12) + 0.5) * 0x1p-52; }
 
  private:
@@ -40,7 +40,7 @@ class Random {
   std::uint64_t counter_;
 };
 
-/// A unit vector at right angles to one.
+/// A unit vector perpendicular to an axis.
 Vector across(const Vector& axis) {
   const Vector other = std::abs(axis.x) < 0.5 ? Vector(1, 0, 0) : Vector(0, 1, 0);
   return glm::normalize(glm::cross(axis, other));
@@ -54,7 +54,7 @@ Vector turned(const Vector& axis, double cosine, double sine, Random& random) {
   return glm::normalize(axis * cosine + (u * std::cos(around) + v * std::sin(around)) * sine);
 }
 
-/// The phase function, how to draw from it, and how to draw angles by it.
+/// The phase function, and how to sample it.
 class Scatterer {
  public:
   explicit Scatterer(const Phase& phase) : phase_(phase), packed_(phase_text::pack<double>(phase)) {
@@ -85,10 +85,10 @@ class Scatterer {
 
   double mean_cosine() const { return mean_cosine_; }
 
-  /// Over its isotropic value.
+  /// The phase function relative to isotropic.
   double value(double versine) const { return phase_text::litfog_phase(packed_, versine); }
 
-  /// A direction by the phase function.
+  /// Draws a direction by the phase function.
   Vector draw(const Vector& direction, Random& random) const {
     const PhaseLobe& lobe = random.unit() < phase_.weight ? phase_.first : phase_.second;
     double cosine = 0;
@@ -109,10 +109,10 @@ class Scatterer {
   }
   double angle_at_integral(double integral) const { return inverse(below_, integral); }
 
-  /// An angle from the direction to the lamp by what single scattering, which goes as integral(pi) - integral(angle)
-  /// over the sine, sends from there.
+  /// Draws an angle from the direction to the lamp in proportion to single scattering from there, which is proportional
+  /// to (integral(pi) - integral(angle)) / sine.
   double draw_towards(Random& random) const { return inverse(towards_, random.unit() * towards_[kCells]); }
-  /// Its density over solid angle.
+  /// The density of draw_towards() over solid angle.
   double density_towards(double angle, double sine) const {
     const std::size_t i = cell(angle);
     return (towards_[i + 1] - towards_[i]) / ((angle_[i + 1] - angle_[i]) * towards_[kCells] * 2 * pi * sine);
@@ -122,7 +122,7 @@ class Scatterer {
   static constexpr std::size_t kCells = 1024;
   using Table = std::array<double, kCells + 1>;
 
-  /// Louis Henyey and Jesse Greenstein's function by its inverse.
+  /// Draws a cosine by Louis Henyey and Jesse Greenstein's function: its inverse.
   static double draw_henyey_greenstein(double g, double unit) {
     if (std::abs(g) < 1e-4) return 1 - 2 * unit + (unit - unit * unit) * 6 * g;
     const double x = (1 - g * g) / (1 - g + 2 * g * unit);
@@ -147,7 +147,7 @@ class Scatterer {
   Table angle_{}, below_{}, towards_{};
 };
 
-/// The density of the fog, and depths of straight lines in it.
+/// The density of the fog, and optical depths along straight lines.
 struct Air {
   double uniform;  // 1/m
   DensityProfile layers;
@@ -158,13 +158,13 @@ struct Air {
     if (is_uniform()) return uniform * length;
     return length * (uniform + mean_density(layers, height_a, height_b));
   }
-  /// Of a line from a point, which may be endless.
+  /// Optical depth of a line from a point; its length may be infinite.
   double depth_along(const Vector& from, const Vector& direction, double length) const {
     if (length < kInfinity) return depth(from.y, from.y + direction.y * length, length);
     if (uniform > 0) return kInfinity;
     return is_uniform() ? 0 : optical_depth_to_sky(layers, from.y, std::clamp(direction.y, -1.0, 1.0));
   }
-  /// The length at which a line has a depth, which it reaches: by Newton's method between brackets.
+  /// The length at which a line reaches an optical depth, which must exist: bracketed Newton's method.
   double length_at_depth(const Vector& from, const Vector& direction, double wanted) const {
     if (is_uniform()) return wanted / uniform;
     const auto depth_at = [&](double length) { return depth_along(from, direction, length); };
@@ -187,14 +187,14 @@ struct Air {
   }
 };
 
-/// A straight line on which light is scattered, and where on it the lamp lights it.
+/// A straight line on which light is scattered, and the segment of it that the lamp lights.
 struct Leg {
   Vector origin, direction;
-  double length;       // metres, to what it meets
-  double approach;     // metres from the origin to where it is nearest to the lamp
-  double offset;       // metres from there to the lamp
-  Vector nearest;      // unit vector from the lamp to there
-  double first, last;  // metres from there: the lit stretch; none unless first < last
+  double length;       // metres, up to what it hits
+  double approach;     // metres from the origin to the point nearest to the lamp
+  double offset;       // metres from that point to the lamp
+  Vector nearest;      // unit vector from the lamp to that point
+  double first, last;  // lit segment, metres from that point; none unless first < last
   double angle() const { return std::atan2(offset, approach); }  // from the direction to the lamp
 };
 
@@ -202,7 +202,7 @@ struct Leg {
 struct Vertex {
   enum class Kind { fog, ground };
   Vector position;
-  Vector direction;  // fog: of the leg that came here
+  Vector direction;  // fog: of the incoming leg
   Kind kind;
 };
 
@@ -229,7 +229,7 @@ class Walk {
         ground_(walk.ground) {
     const double thickest = air_.uniform + (air_.is_uniform() ? 0 : largest_density(air_.layers));
     free_path_ = 1 / thickest;
-    // The law bends from inverse-square to flat there.
+    // There the law changes from inverse-square to flat.
     soft_ = std::max(std::min(compute_knee(law_), extent_),
                      law_.quadratic > 0 ? std::sqrt(law_.constant / law_.quadratic) : 0) /
             2;
@@ -254,7 +254,7 @@ class Walk {
     double first_weight = 0;
     const double length = draw_first_vertex(eye_leg, random, first_weight);
     if (!(first_weight > 0) || albedo_ == 0) return;
-    double weight = 1;  // times first_weight, which is least where what is scattered there counts most
+    double weight = 1;  // relative to first_weight, which is least where scattered light counts most
     Vertex vertex{ray_.origin + ray_.direction * length, ray_.direction, Vertex::Kind::fog};
     for (int order = 1;; ++order) {
       weight *= vertex.kind == Vertex::Kind::fog ? albedo_ : ground_->albedo;
@@ -282,7 +282,7 @@ class Walk {
   }
 
  private:
-  /// A path that has met some vertices and is lit over one scattering more.
+  /// Adds a path with some vertices that is lit over one more scattering.
   static void add(Sums& sums, int vertices, double value) {
     if (vertices == 1) sums.second += value;
     sums.higher += value;
@@ -320,7 +320,8 @@ class Walk {
     leg.last = 0;
     return leg;
   }
-  /// In the plane of lamp and leg the cosine from the axis goes as that of the angle at the lamp.
+  /// Limits the lit segment to the cone. In the plane of lamp and leg, the cosine from the axis is proportional to the
+  /// cosine of an angle at the lamp.
   void clip_to_cone(Leg& leg) const {
     const double along = glm::dot(axis_, leg.direction), off = glm::dot(axis_, leg.nearest);
     const double size = std::hypot(along, off);
@@ -345,7 +346,7 @@ class Walk {
     if (high < pi / 2) leg.last = std::min(leg.last, leg.offset * std::tan(high));
   }
 
-  /// Where on the lit stretch of a leg light is scattered, by the angle of scattering, which is that at the lamp.
+  /// Draws a position on the lit segment of a leg, by the angle at the lamp, which is the angle of scattering.
   double draw_on(const Leg& leg, Random& random, double& density) const {
     const double offset = soft_ > leg.offset && random.unit() < 0.5 ? soft_ : sharp_offset(leg);
     const double low = scatterer_.integral(std::atan2(offset, -leg.first));
@@ -360,7 +361,7 @@ class Walk {
     const double sharp = density_on(leg, place, sharp_offset(leg));
     return soft_ > leg.offset ? (sharp + density_on(leg, place, soft_)) / 2 : sharp;
   }
-  /// The leg's offset, or a larger one where its lit stretch does not come near the lamp, so that angles keep digits.
+  /// The leg's offset, or a larger one if the lit segment is not near the lamp, so that angles keep their digits.
   static double sharp_offset(const Leg& leg) {
     return std::max(leg.offset, leg.first > 0 ? 0.1 * leg.first : -1e-6 * leg.last);
   }
@@ -370,7 +371,7 @@ class Walk {
     return scatterer_.integral_slope(std::atan2(offset, -place)) * offset / ((offset * offset + place * place) * all);
   }
 
-  /// Light that is scattered once on a leg at a place, a metre.
+  /// Light that is scattered once at a position on a leg, per metre.
   double source(const Leg& leg, double place) const {
     const double range = std::hypot(place, leg.offset);
     const double from_origin = place + leg.approach;
@@ -388,7 +389,7 @@ class Walk {
   }
   double attenuation(double range) const { return range > extent_ ? 0 : attenuation_at(law_, range); }
 
-  /// The first vertex on the eye's ray: by free paths, by the distance to the lamp, or by the angle at the lamp.
+  /// Draws the first vertex on the eye's ray: by free paths, by the distance to the lamp, or by the angle at the lamp.
   double draw_first_vertex(const Leg& leg, Random& random, double& weight) const {
     const double total = air_.depth_along(leg.origin, leg.direction, leg.length);
     const double opacity = -std::expm1(-total);
@@ -427,7 +428,7 @@ class Walk {
     return length;
   }
 
-  /// Phase function or reflection of a vertex into a direction, a steradian.
+  /// Phase function or reflection of a vertex into a direction, per steradian.
   double scattered(const Vertex& vertex, const Vector& direction) const {
     if (vertex.kind == Vertex::Kind::ground) return std::max(0.0, direction.y) / pi;
     const Vector difference = vertex.direction - direction;
@@ -443,7 +444,7 @@ class Walk {
     return turned(glm::normalize(position_ - position), std::cos(angle), std::sin(angle), random);
   }
 
-  /// Light that reaches a vertex over one scattering more: one sample over all of space.
+  /// Light that reaches a vertex over one more scattering: one sample over all of space.
   double connect(const Vertex& vertex, Random& random) const {
     const double range = glm::distance(vertex.position, position_);
     double chance = 1;
@@ -495,8 +496,8 @@ class Walk {
     return value / (density * chance);
   }
 
-  /// A direction to go on: by the phase function, and at first also towards the lamp. The fraction falls so that the
-  /// weights grow no faster than the square root of the order.
+  /// Draws the next direction: by the phase function, and at first also towards the lamp. The fraction towards the lamp
+  /// falls so that weights grow no faster than the square root of the order.
   Vector draw_direction(const Vertex& vertex, int order, Random& random, double& weight) const {
     const double towards = 0.5 / (order + 1);
     const Vector direction =
@@ -510,8 +511,7 @@ class Walk {
     return direction;
   }
 
-  /// Russian roulette. Of walks in endless fog, which return ever more rarely, a fraction is followed that falls with
-  /// the order.
+  /// Russian roulette. In endless fog, walks return ever more rarely, so the fraction followed falls with the order.
   bool survives(double& weight, int order, Random& random) const {
     double least = 1;
     if (order > plain_orders_) {
@@ -523,7 +523,7 @@ class Walk {
     return true;
   }
 
-  /// Where a path that comes to a vertex is on average when its direction is forgotten, from the lamp.
+  /// The mean position of a path from a vertex once its direction is forgotten, relative to the lamp.
   Vector forgotten(const Vertex& vertex) const { return vertex.position + vertex.direction * drift_ - position_; }
   bool is_far(const Vertex& vertex) const {
     const Vector from_lamp = vertex.position - position_;
@@ -531,8 +531,8 @@ class Walk {
     const double far = 1.5 * inner_;
     return glm::dot(from_lamp, from_lamp) > far * far && glm::dot(drifted, drifted) > far * far;
   }
-  /// From a far point a walk hits the inner sphere with the probability inner / range, at points spread as the inverse
-  /// cube of their distance from there (the exterior Poisson kernel).
+  /// A walk from a far point hits the inner sphere with probability inner / range, with a density proportional to the
+  /// inverse cube of the distance from the far point (the exterior Poisson kernel).
   bool bring_back(Vertex& vertex, Vector& direction, Random& random) const {
     const Vector far = forgotten(vertex);
     const double range = glm::length(far);
@@ -547,7 +547,7 @@ class Walk {
     return true;
   }
 
-  /// Light of the lamp that a white ground sends to where it is seen, in the unit of airlight.
+  /// Radiance of white ground lit by the lamp, in the unit of airlight.
   double lit_ground(const Vector& point) const {
     const Vector from_lamp = point - position_;
     const double range = glm::length(from_lamp);
@@ -569,9 +569,9 @@ class Walk {
   std::optional<Ground> ground_;
   double free_path_ = 0, soft_ = 0;
   bool is_spot_ = false, is_endless_ = false;
-  double inner_ = 0;         // metres: radius of the sphere on which far paths come back
-  double drift_ = 0;         // metres that a path goes on in its direction, on average over its next scatterings
-  double plain_orders_ = 0;  // that are followed without roulette
+  double inner_ = 0;         // radius of the sphere on which far paths come back, metres
+  double drift_ = 0;         // mean distance, metres, that a path goes on in its direction before it forgets it
+  double plain_orders_ = 0;  // orders followed without roulette
 };
 
 Estimate estimate(const std::array<Sums, kScatteringBatches>& batches, double Sums::*member, double paths) {

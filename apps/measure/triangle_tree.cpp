@@ -8,9 +8,9 @@
 namespace litfog::measure {
 namespace {
 
-constexpr std::uint32_t kLeaf = 4;  // triangles
+constexpr std::uint32_t kLeaf = 4;  // most triangles in a leaf
 
-/// A texel's index for one beyond [0, size).
+/// Wraps a texel's index into [0, size).
 int wrapped(int i, int size, scene::Sampling::Wrap wrap) {
   switch (wrap) {
     case scene::Sampling::Wrap::repeat:
@@ -24,7 +24,7 @@ int wrapped(int i, int size, scene::Sampling::Wrap wrap) {
   }
 }
 
-/// A picture's A, as OpenGL magnifies it (OpenGL 3.3, 3.8.11).
+/// A picture's alpha, with OpenGL's magnification filter (OpenGL 3.3, 3.8.11).
 double alpha_at(const scene::Texels& texels, const glm::dvec2& uv) {
   const auto alpha = [&](int x, int y) {
     x = wrapped(x, texels.width, texels.sampling.wrap_u);
@@ -61,7 +61,7 @@ bool meets(const glm::dvec3& low, const glm::dvec3& high, const glm::dvec3& orig
 
 }  // namespace
 
-/// Where a ray crosses a triangle.
+/// The point where a ray crosses a triangle.
 struct TriangleTree::Crossing {
   double distance;  // metres along the ray
   double u, v;      // barycentric coordinates: weights of the second and of the third corner
@@ -74,7 +74,7 @@ std::optional<TriangleTree::Crossing> TriangleTree::crossing_of(const Corners& c
   const glm::dvec3 e2 = corners[2] - corners[0];
   const glm::dvec3 p = glm::cross(direction, e2);
   const double determinant = glm::dot(e1, p);
-  if (determinant == 0) return std::nullopt;  // seen edge on
+  if (determinant == 0) return std::nullopt;  // edge-on
   const glm::dvec3 t = origin - corners[0];
   const double u = glm::dot(t, p) / determinant;
   const glm::dvec3 q = glm::cross(t, e1);

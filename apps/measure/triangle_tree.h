@@ -12,32 +12,32 @@
 
 namespace litfog::measure {
 
-/// The triangles of a scene in a tree of boxes, all in double, for rays that ask what they meet. Both sides of a
-/// triangle count, and where its material has a mask, only what that keeps: by the base texture itself, without
-/// mipmaps. Of the trees that Debian has, Embree's is in float, and CGAL's is under the GPL.
+/// A bounding volume hierarchy of a scene's triangles for ray queries, all in double. Triangles are two-sided. Masks
+/// cut them by the base texture itself, without mipmaps. Of Debian's libraries, Embree is in float, and CGAL's tree is
+/// under the GPL.
 class TriangleTree {
  public:
-  /// scene   whose materials have to outlive this
-  /// origin  which all positions are relative to
+  /// scene   its materials must outlive this object
+  /// origin  of all positions
   explicit TriangleTree(const scene::Scene& scene, const glm::dvec3& origin = glm::dvec3(0));
 
   struct Hit {
     double distance;    ///< metres along the ray
-    glm::dvec3 normal;  ///< the triangle's: unit, of either side
+    glm::dvec3 normal;  ///< the triangle's, on either side; unit
   };
   /// The nearest triangle that a ray meets between two distances.
   ///
   /// direction    unit
-  /// first, last  metres; none where last < first
+  /// first, last  metres; no triangle if last < first
   std::optional<Hit> nearest(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last) const;
-  /// Whether there is one.
+  /// Whether nearest() finds one.
   bool is_met(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last) const;
 
  private:
   using Corners = std::array<glm::dvec3, 3>;
   struct Triangle {
     Corners corners;
-    std::size_t mask;  // kNoMask where its material has none
+    std::size_t mask;  // kNoMask: none
   };
   static constexpr auto kNoMask = std::size_t(-1);
   struct Mask {
@@ -54,9 +54,9 @@ class TriangleTree {
   void build(std::uint32_t first, std::uint32_t count);
   static std::optional<Crossing> crossing_of(const Corners& corners, const glm::dvec3& origin,
                                              const glm::dvec3& direction);
-  /// Whether the triangle has no mask, or one that keeps it at the crossing.
+  /// Whether the triangle has no mask, or its mask keeps the crossing.
   bool is_kept(const Triangle& triangle, const Crossing& crossing) const;
-  /// Calls found(corners, distance) for what the ray meets; it returns the distance up to which to go on.
+  /// Calls found(corners, distance) for what the ray meets. It returns the distance up to which to search on.
   template <typename Found>
   void search(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last,
               const Found& found) const;

@@ -47,7 +47,7 @@ drawing::SheetEntry graph_of_smoothstep() {
   return {std::move(picture), {"figure 5-22: smoothstep", "0 at min, 1 at max: the lines"}};
 }
 
-/// Attenuation and spots at the vertices in each space, on a wall that is turned and as large as half of its own units.
+/// Attenuation and spots at the vertices in each space, on a wall that is rotated and scaled by a half.
 std::vector<drawing::SheetEntry> lit_at_vertices(const FigurePainter& painter) {
   Scene spots = wall({36, 24}, "plaster");
   const glm::dmat4 turned = glm::rotate(glm::dmat4(1), -0.25, glm::dvec3(1, 1, 0));

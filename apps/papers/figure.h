@@ -12,7 +12,7 @@
 #include "render/renderer.h"
 #include "scene/scene.h"
 
-// What the papers' figures have in common.
+// Shared by the papers' figures.
 
 namespace litfog::papers {
 
@@ -32,7 +32,7 @@ class FigurePainter {
                            std::vector<std::string> caption) const;
   drawing::SheetEntry draw(render::Renderer& renderer, std::vector<std::string> caption) const;
   std::unique_ptr<render::Renderer> renderer(const scene::Scene& scene, const render::RenderSettings& render) const;
-  /// A figure of a picture as a renderer reads it.
+  /// A sheet entry for a renderer's picture.
   static drawing::SheetEntry entry(const render::Picture& picture, std::vector<std::string> caption);
   int frames() const { return frames_; }
   int width() const { return width_; }
@@ -42,7 +42,7 @@ class FigurePainter {
   int width_, height_, frames_;
 };
 
-/// The times of frames over that of the first renderer's, all interleaved.
+/// The renderers' frame times over the first one's, frames interleaved.
 std::vector<double> relative_times(const std::vector<std::unique_ptr<render::Renderer>>& renderers, int frames);
 
 /// A wall of one material facing +Z at z = 0, cells.x by cells.y cells, six metres wide and four high.
@@ -50,9 +50,9 @@ scene::Scene wall(const glm::ivec2& cells, const std::string& material);
 
 PlacedLight lamp(const glm::dvec3& position, const Attenuation& attenuation, const Cone& cone = {});
 
-/// What the figures' objects are made of.
+/// The material of the figures' objects.
 struct Finish {
-  glm::vec3 ambient{0.0f};  ///< Ka; globalAmbient is 1 where this is not 0
+  glm::vec3 ambient{0.0f};  ///< Ka; globalAmbient is 1 if this is not 0
   glm::vec3 diffuse{0.0f};
   glm::vec3 specular{0.0f};
   float shininess = 1;

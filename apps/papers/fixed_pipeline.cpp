@@ -24,7 +24,7 @@
 namespace litfog::papers {
 namespace {
 
-/// A context of the compatibility profile on the display of the current context, current as long as this lives.
+/// A compatibility-profile context on the current context's display, current during this object's life.
 class CompatibilityContext {
  public:
   CompatibilityContext() {
@@ -55,7 +55,7 @@ class CompatibilityContext {
   bool is_current_ = false;
 };
 
-/// Sets a light of OpenGL's, of diffuse light alone.
+/// Sets one of OpenGL's lights, diffuse only.
 ///
 /// position  homogeneous; in the current modelview matrix
 void set_light(GLenum light, const glm::vec4& position, const glm::vec3& color) {

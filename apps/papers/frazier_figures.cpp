@@ -21,7 +21,7 @@ constexpr int kMapSize = 128;
 
 /// A picture of texels as an image program shows them.
 ///
-/// texel_at  their index for a pixel, or -1
+/// texel_at  index of a pixel's texel, or -1
 drawing::SheetEntry picture_of(const MapTexels& texels, glm::ivec2 size, const std::function<int(int, int)>& texel_at,
                                std::vector<std::string> caption) {
   render::Picture picture{size.x, size.y, {}};
@@ -72,7 +72,7 @@ PlacedLight coloured(PlacedLight light, const glm::dvec3& color, const glm::dvec
 
 const Cone kSpot = Cone::smoothstep(16 * kDegree, 18 * kDegree);
 
-/// Three mirror balls of a colour each, and a beacon.
+/// Three mirror balls of different colours, and a beacon.
 std::vector<drawing::SheetEntry> tricks(const FigurePainter& painter, Scene room) {
   room.cookies = {scene::paint_cookie("disco"), scene::paint_cookie("beacon")};
   const Attenuation attenuation{1, 0, 0.5};
@@ -86,7 +86,7 @@ std::vector<drawing::SheetEntry> tricks(const FigurePainter& painter, Scene room
   return {std::move(disco), painter.draw(room, along("radial"), {"rotating police beacon"})};
 }
 
-/// A room's lamps, each with the shadows that a stencil finds.
+/// A room's lamps, each with stencil shadows.
 render::Picture with_stencil_shadows(const FigurePainter& painter, const Scene& room) {
   const auto draw = [&](std::vector<PlacedLight> lights) {
     Scene lit = room;

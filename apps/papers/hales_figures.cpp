@@ -17,7 +17,7 @@ namespace {
 using render::RenderSettings;
 using scene::Scene;
 
-/// A program over the figures' setting, or over one that is drawn another way.
+/// A program for the figures' scene, or for one drawn another way.
 struct Program {
   std::string name;
   RenderSettings render;
@@ -46,8 +46,8 @@ Scene with_dirt(Scene scene) {
   return scene;
 }
 
-/// Figures 1 and 2 and table 1: "headlights" with its two headlights alone. Every program draws every polygon, so that
-/// their times compare.
+/// Figures 1 and 2 and table 1: "headlights" with only its two headlights. Every program draws every polygon, so that
+/// their times are comparable.
 Rows hales_table(const FigurePainter& painter) {
   Scene scene = scene::read_scene(scene::bundled_scene_path("headlights"));
   std::erase_if(scene.lights, [](const PlacedLight& light) { return !light.carried; });
@@ -94,7 +94,7 @@ Rows hales_table(const FigurePainter& painter) {
   return rows;
 }
 
-/// A flare and a search light, which the paper names beside headlights, by its look-ups.
+/// A flare and a search light by the paper's look-ups; the paper names both beside headlights.
 std::vector<drawing::SheetEntry> flare_and_search_light(const FigurePainter& painter) {
   Scene scene = scene::read_scene(scene::bundled_scene_path("headlights"));
   std::vector<drawing::SheetEntry> entries;
@@ -114,12 +114,12 @@ std::vector<drawing::SheetEntry> flare_and_search_light(const FigurePainter& pai
   return entries;
 }
 
-/// A cosine cone on a wall that is near enough for its edge to be in the picture.
+/// A cosine cone on a wall so near that the cone's edge is in the picture.
 Rows hales_cones(const FigurePainter& painter) {
   Rows rows;
   for (const double degrees : {60.0, 80.0, 89.0}) {
     Scene scene = wall({1, 1}, "sign_white");
-    scene.materials[0].specular = {};  // which Hales's equation lacks
+    scene.materials[0].specular = {};  // Hales's equation has none
     const Cone cone = Cone::cosine(degrees * kDegree, 1);
     scene.lights = {lamp({0, 0, 2.2 / std::tan(std::min(degrees, 85.0) * kDegree)}, {1, 0, 0.3}, cone)};
     rows.emplace_back();

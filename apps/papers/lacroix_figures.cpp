@@ -17,16 +17,16 @@ namespace {
 using render::RenderSettings;
 using scene::Scene;
 
-/// The direction in which a place on a ball lies from its middle.
+/// The direction from a ball's centre to a point of its surface.
 ///
-/// uv  its longitude and latitude, [0, 1] each
+/// uv  longitude and latitude, [0, 1] each
 glm::vec3 up_at(const glm::vec2& uv) {
   const float longitude = 2 * std::numbers::pi_v<float> * uv.x;
   const float latitude = std::numbers::pi_v<float> * (uv.y - 0.5f);
   return {std::sin(longitude) * std::cos(latitude), std::sin(latitude), std::cos(longitude) * std::cos(latitude)};
 }
 
-/// A ball of few faces whose texture is a map of it, so that each texel is in one place.
+/// A ball of few faces with its texture as a map, so that each texel is used once.
 scene::Mesh globe(int faces_around) {
   const glm::ivec2 cells(faces_around, faces_around / 2);
   std::vector<glm::vec2> uvs;
@@ -73,8 +73,8 @@ std::shared_ptr<const scene::Texels> make_dents(NormalSpace space) {
   return std::make_shared<const scene::Texels>(std::move(texels));
 }
 
-/// A globe with dents, in view the meridian at which its map begins and ends: vertices there share their normals, but
-/// not their tangents.
+/// A globe with dents, seen at the meridian where its map begins and ends: vertices there share their normals but not
+/// their tangents.
 Scene dented_globe(int faces_around, NormalSpace space) {
   Scene scene = figure(globe(faces_around), {.diffuse = glm::vec3(0.5f), .specular = glm::vec3(0.4f), .shininess = 40});
   scene.materials[0].normal = make_dents(space);
@@ -107,7 +107,7 @@ std::vector<drawing::SheetEntry> nested_flags(const FigurePainter& painter, Scen
 Rows lacroix_figures(const FigurePainter& painter) {
   const auto lit_wall = [](const glm::ivec2& cells) {
     Scene scene = wall(cells, "sign_white");
-    scene.lights = {lamp({0.2, 0.1, 0.8}, {0, 1, 0})};  // his 1 / distance
+    scene.lights = {lamp({0.2, 0.1, 0.8}, {0, 1, 0})};  // attenuates by his 1 / distance
     return scene;
   };
   const Scene room = scene::read_scene(scene::bundled_scene_path("room"));

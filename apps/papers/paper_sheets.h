@@ -15,14 +15,13 @@ namespace litfog::papers {
 ///              normal maps in tangent, world and object space; nested flags, with their frame time; parallax
 /// cg.png       figures 5-1, 5-3, 5-5, 5-8, 5-11, 5-12, 5-14, 5-16, 5-17, 5-21 and 5-22; exercises 3, 4, 6 and 7;
 ///              attenuation and spots at the vertices, in three spaces; attenuation with clamp and cut and without
-/// frazier.png  his maps; point lights, spots, disco and beacon; light map and base texture; lights that overlap, in
-/// two
+/// frazier.png  his maps; point lights, spots, disco and beacon; light map and base texture; overlapping lights in two
 ///              passes; one spot map for every angle; bump mapping; shadows by stencil and by maps
 ///
 /// folder   made if it does not exist
 /// width    pixels of each picture
-/// frames   timed of each program for table 1
-/// throws   what drawing::PictureFolder and Renderer throw
+/// frames   number timed for each program of table 1
+/// throws   like drawing::PictureFolder and Renderer
 void draw_paper_sheets(const std::string& folder, int width, int height, int frames);
 
 }  // namespace litfog::papers

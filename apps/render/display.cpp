@@ -14,7 +14,7 @@ namespace {
 
 float largest_channel(const glm::vec3& color) { return std::max({color.r, color.g, color.b}); }
 
-/// The value that a fraction of the values does not exceed. Reorders the values, which must not be empty.
+/// The quantile of values at a fraction in [0, 1]. Reorders the values, which must not be empty.
 float quantile(std::vector<float>& values, double fraction) {
   const auto at = values.begin() + std::ptrdiff_t(fraction * double(values.size() - 1));
   std::ranges::nth_element(values, at);

@@ -33,10 +33,10 @@ struct Display {
   ToneCurve tone = ToneCurve::neutral;
 };
 
-/// An exposure at which one in twenty of the pixels that are not black has a channel above 0.8, the limit up to which a
-/// display shows colours unchanged; but the middle one of all has a channel of at least 0.03 and at most 0.3 (levels 48
-/// and 148 of sRGB), and then no more than one in a hundred has one above 5, which `neutral` still shows below white.
-/// So a few bright lamps do not darken a picture, and a dark sky does not turn lit surfaces white.
+/// Meters a picture. A pixel's value is its largest channel; black pixels do not count. The exposure puts the 95th
+/// percentile at 0.8, up to which a display shows colours unchanged. It is limited first so that the median lies in
+/// [0.03, 0.3] (levels 48 and 148 of sRGB), then so that the 99th percentile is at most 5, which `neutral` still shows
+/// below white. So a few bright lamps do not darken a picture, and a dark sky does not turn lit surfaces white.
 ///
 /// returns  EV in hundredths, in [-kMaxExposure, kMaxExposure]; pixels that are not finite do not count; 0 if no other
 ///          pixel is lit
@@ -48,9 +48,9 @@ glm::vec3 toned(ToneCurve tone, const glm::vec3& color);
 /// A picture as a display shows it, each channel in [0, 1]. Channels below 0 and NaN become 0, infinity becomes 1.
 Picture displayed(const Picture& picture, const Display& display);
 
-/// A value that a display shows, in [0, 1], as 8 bits of sRGB, dithered against banding.
+/// Encodes a displayed value in [0, 1] as 8-bit sRGB, dithered against banding.
 ///
-/// index  of the value in Picture::rgb
+/// index  the value's index in Picture::rgb
 std::uint8_t shown_level(float shown, std::uint32_t index);
 
 }  // namespace litfog::render

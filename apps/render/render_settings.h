@@ -6,7 +6,7 @@
 
 namespace litfog::render {
 
-/// Whether the renderer leaves out what is invisible: surfaces out of view, lights out of a surface's reach.
+/// Whether the renderer leaves out invisible surfaces and lights: out of view, or out of reach of a surface.
 enum class Skipping { on, off };
 
 /// How lamps light the fog.
@@ -17,15 +17,15 @@ enum class FogLighting {
   airlight,
 };
 
-/// By airlight: which light the fog sends to the eye.
+/// By airlight: the orders of scattering that reach the eye.
 enum class Scattering {
-  single,  ///< what it scatters once
-  all,     ///< also what it scatters twice and more often, in atmospheres without a find_scattering_error()
+  single,  ///< light scattered once
+  all,     ///< light scattered once or more often, in atmospheres without a find_scattering_error()
 };
 
 inline const char* name_of(FogLighting lighting) { return lighting == FogLighting::airlight ? "airlight" : "peak"; }
 
-/// What the shadows of lamps and of the directional light darken.
+/// What shadows of lamps and of the directional light darken.
 enum class Shadows {
   none,
   surfaces,
@@ -41,11 +41,11 @@ struct RenderSettings {
   FogLighting fog_lighting = FogLighting::peak;  ///< airlight: only on paths that light each fragment
   Scattering scattering = Scattering::single;
   PaperSettings papers = {};
-  int samples = 4;                  ///< a pixel, at least: 1, 2, 4 or 8
-  bool has_eye_threshold = false;   ///< by airlight: points of lamps that no eye would see are left out
-  Shadows shadows = Shadows::none;  ///< others: only on paths that light each fragment
+  int samples = 4;                  ///< least number per pixel: 1, 2, 4 or 8
+  bool has_eye_threshold = false;   ///< by airlight: leaves out points of lamps that no eye would see
+  Shadows shadows = Shadows::none;  ///< others only on paths that light each fragment
   int shadow_lamps = 8;             ///< at most this many lamps cast shadows: choose_shadow_casters
-  int shadow_map_size = 1024;       ///< texels a side, at least 16
+  int shadow_map_size = 1024;       ///< texels along a side, at least 16
   int shaft_steps = 64;             ///< look-ups of shadow maps along a pixel's ray: 1 to 1024
 
   friend bool operator==(const RenderSettings&, const RenderSettings&) = default;

@@ -106,7 +106,7 @@ void Renderer::set_lights() { set_lights_for(lights_.exposure()); }
 
 void Renderer::set_lights_for(double ends_exposure) {
   lights_ = SceneLights(scene_, settings_, ends_exposure);
-  light_tables_ = {};  // so that all tables are uploaded
+  light_tables_ = {};  // forces an upload of all tables
   cookie_cones_ =
       BufferTexture(lights_.cookie_cones().data(), lights_.cookie_cones().size_bytes(), BufferTexture::Texel::float4);
   surfaces_.set_lights();
@@ -115,7 +115,7 @@ void Renderer::set_lights_for(double ends_exposure) {
 }
 
 void Renderer::set_atmosphere(const Atmosphere& atmosphere) {
-  const Atmosphere relative = atmosphere.seen_from(lights_.origin().y);  // as shaders and plans have heights
+  const Atmosphere relative = atmosphere.seen_from(lights_.origin().y);  // heights as in shaders and plans
   const FogHeader header = pack_fog_header(relative, 0);
   atmosphere_ = atmosphere;
   solved_fog_ = fog_at_eye();
@@ -133,8 +133,8 @@ void Renderer::set_atmosphere(const Atmosphere& atmosphere) {
 Exposure Renderer::set_exposure(const Exposure& exposure) {
   exposure_ = exposure.ev;
   if (exposure.is_auto) {
-    // Surfaces are drawn as for the largest exposure. For airlight that would take too long: it is drawn as for 0 EV
-    // and, if the exposure found is higher, once more as for that exposure.
+    // Surfaces are drawn for the largest exposure. Airlight would take too long so: it is drawn for 0 EV and, if the
+    // exposure found is higher, again for that exposure.
     draw_for({.surfaces = kMaxExposure, .airlight = 0}, LightPoints::off);
     exposure_ = auto_exposure(read());
     if (exposure_ > 0) {
@@ -142,7 +142,7 @@ Exposure Renderer::set_exposure(const Exposure& exposure) {
       exposure_ = auto_exposure(read());
     }
   }
-  // Lights' ends are those of the next whole EV, so that small changes of the exposure leave all lists as they are.
+  // Lights end where the next whole EV requires, so that small changes of the exposure leave all lists as they are.
   const double ends_exposure = std::ceil(std::max(exposure_, 0.0));
   if (settings_.fog_lighting == FogLighting::airlight && ends_exposure != lights_.exposure()) {
     set_lights_for(ends_exposure);
@@ -188,7 +188,7 @@ FrameStatistics Renderer::draw_and_measure() {
   statistics.fog_bytes_uploaded = fog_bytes_;
   planner_.forget();
   statistics.counts = draw_stages({exposure_, exposure_}, LightPoints::on, &statistics);
-  // Counted last, because the driver frees the picture of the counts in the next draw, which would be a stage's.
+  // Counted last: the driver frees the counts' picture in the next draw, which would add to a stage's time.
   statistics.lights_per_fragment = count_lights_per_fragment();
   return statistics;
 }

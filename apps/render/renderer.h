@@ -31,64 +31,63 @@ namespace litfog::render {
 /// Whether lamps are drawn as points over the surfaces.
 enum class LightPoints { on, off };
 
-/// Whether a picture's light reaches the largest half float, at which a frame of one pass is clipped.
+/// Whether a picture reaches the largest half float, at which the framebuffer of one pass clips it.
 bool is_cut_off(const Picture& picture);
 
 /// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera and sky
-/// may change from frame to frame, but lamps that cast shadows are chosen as set_lights() finds the camera.
+/// may change from frame to frame. The lamps that cast shadows are chosen for the camera at set_lights().
 ///
 /// Scenes are in doubles, shaders in floats. Shaders take positions relative to origin(), so that pictures 10,000 km
-/// from the world's origin are as exact as at it. A camera that moves for kilometres causes a new set_lights().
+/// from the world's origin are as exact as at it. A camera that moves kilometres away causes a new set_lights().
 class Renderer {
  public:
-  /// scene   has to outlive this object
+  /// scene   must outlive this object
   /// throws  gl::Unsupported where this OpenGL cannot hold the scene's light lists, or where the path's light maps or
   ///         the shadow maps would take more than 1 GiB; std::invalid_argument where the scene lacks a part's material
   Renderer(const scene::Scene& scene, int width, int height, const RenderSettings& settings);
-  Renderer(const Renderer&) = delete;  // its parts refer to each other
+  Renderer(const Renderer&) = delete;  // its members refer to each other
   Renderer& operator=(const Renderer&) = delete;
 
   /// Sets the size of the pictures.
   ///
   /// throws  gl::Unsupported where the driver has no framebuffer of that size
   void set_size(int width, int height);
-  /// Takes a change of the scene's objects, models and materials, except that a material whose name has been used
-  /// before stays as it was. set_lights() has to follow.
+  /// Applies a change of the scene's objects, models and materials, except that a material whose name has been used
+  /// before stays as it was. Must be followed by set_lights().
   ///
   /// throws  like the constructor
   void set_objects() { surfaces_.set_objects(); }
-  /// Takes a change of the scene's lights: solves and uploads them all.
+  /// Applies a change of the scene's lights: solves and uploads them all.
   ///
   /// throws  gl::Unsupported like the constructor
   void set_lights();
-  /// Takes a change of the scene's ambient light or moon; where the moon casts shadows, set_lights() has to follow. The
-  /// first one compiles shaders anew, in which a driver may round the last bit of a sum otherwise.
+  /// Applies a change of the scene's ambient light or moon. If the moon casts shadows, set_lights() must follow. The
+  /// first change recompiles shaders, whose sums a driver may round differently in the last bit.
   void set_environment_light() { surfaces_.set_environment_light(); }
-  /// Takes another atmosphere than the scene's: solves the carried lights and uploads what changed of them. In layered
-  /// air they are solved for the fog at the eye, and again where a frame finds the camera in other fog.
+  /// Replaces the scene's atmosphere: solves the carried lights and uploads the changes. In layered air carried lights
+  /// are solved for the fog at the eye, and again when a frame finds the camera in other fog.
   ///
   /// throws  std::invalid_argument naming field, value and rule
   void set_atmosphere(const Atmosphere& atmosphere);
-  /// At which exposure frames will be shown; 0 EV until it is called. What makes less than a step of the display is
-  /// left out; frames themselves are not exposed. An automatic exposure is that of a frame in the present fog without
-  /// the lamps' points, drawn for it as for the largest exposure. By airlight an exposure above 0 EV moves the lights'
-  /// ends outwards.
+  /// Sets the exposure at which frames will be shown, 0 EV by default. Frames themselves are not exposed, but leave out
+  /// what makes less than a step of the display. With `is_auto`, draws a frame in the present fog without the lamps'
+  /// points and meters it. By airlight an exposure above 0 EV moves the lights' ends outwards.
   ///
   /// returns  the exposure used
   Exposure set_exposure(const Exposure& exposure);
-  /// Makes draw() and set_exposure() throw Interrupted as soon as a function returns true. Polling it slows drawing a
+  /// Makes draw() and set_exposure() throw Interrupted as soon as the function returns true. Polling slows drawing a
   /// little. An empty function never interrupts.
   void interrupt_when(std::function<bool()> is_unwanted) { is_unwanted_ = std::move(is_unwanted); }
   /// Draws a frame and waits for it.
   FrameCounts draw(LightPoints light_points = LightPoints::on) {
     return draw_for({exposure_, exposure_}, light_points);
   }
-  /// Draws a frame that leaves out what makes less than a step at these exposures; at kMaxExposure nothing is left out.
-  /// The lights' ends stay those of set_exposure().
+  /// Draws a frame that leaves out what makes less than a step at these exposures; at kMaxExposure it leaves out
+  /// nothing. The lights' ends stay as set_exposure() chose them.
   FrameCounts draw_for(const FrameExposures& exposures, LightPoints light_points = LightPoints::on) {
     return draw_stages(exposures, light_points, nullptr);
   }
-  /// Draws a frame stage by stage as if the view had changed, and measures it. Takes longer than draw().
+  /// Draws a frame stage by stage, as if the view had changed, and measures each. Takes longer than draw().
   FrameStatistics draw_and_measure();
   Picture read() const { return framebuffer_.read(); }
   /// Draws a frame in floats, for a picture that is_cut_off(), and reads it.
@@ -97,15 +96,15 @@ class Renderer {
   Picture draw_in_floats();
 
   const scene::Scene& scene() const { return scene_; }
-  /// The origin of all positions in floats, also in geometry buffers and shadow maps.
+  /// The origin of all float positions, also in geometry buffers and shadow maps.
   const glm::dvec3& origin() const { return lights_.origin(); }
   const Atmosphere& atmosphere() const { return atmosphere_; }
   double exposure() const { return exposure_; }                ///< EV
-  double ends_exposure() const { return lights_.exposure(); }  ///< EV for which lights' ends are chosen (drawn_light)
+  double ends_exposure() const { return lights_.exposure(); }  ///< EV that chooses the lights' ends (drawn_light)
   const RenderSettings& settings() const { return settings_; }
   int width() const { return framebuffer_.width(); }
   int height() const { return framebuffer_.height(); }
-  int samples() const { return framebuffer_.samples(); }  ///< a pixel: some drivers take more than asked for
+  int samples() const { return framebuffer_.samples(); }  ///< per pixel; some drivers take more than asked for
   /// Null for Shadows::none.
   const ShadowMaps* shadows() const { return shadows_ ? &*shadows_ : nullptr; }
 
@@ -115,7 +114,7 @@ class Renderer {
   /// Draws a layer of a frame's panes: in each sample the pane that the frame draws after `layer` others, even if a
   /// surface hides it.
   void draw_pane_geometry(const GeometryBuffer& geometry, int layer);
-  /// The surfaces' materials, without their texels, by their numbers in a geometry buffer.
+  /// The surfaces' materials without their texels, indexed by GeometrySample::material.
   std::vector<scene::Material> materials() const { return surfaces_.surfaces().materials(); }
 
  private:
@@ -123,7 +122,7 @@ class Renderer {
   FrameLight frame_light() const;
   FrameView frame_view(const View& view, const FrameExposures& exposures) const;
   Passes passes() const { return settings_.path->has_several_passes() ? Passes::several : Passes::one; }
-  /// The parts of FogLighting::airlight: the lights drawn, where rays end, and the airlight within and beyond extents.
+  /// What FogLighting::airlight needs: the lights drawn, where rays end, and the airlight within and beyond extents.
   struct Airlight {
     AirlightLights lights;
     HigherOrderTextures higher_orders;
@@ -140,13 +139,13 @@ class Renderer {
   };
 
   void set_lights_for(double ends_exposure);
-  /// Sets the lights again if the camera has left the surroundings of their origin, the fog if it is in another.
+  /// Sets the lights again if the camera has moved far from origin(), and the fog if it has entered other fog.
   void follow_camera();
   Fog fog_at_eye() const { return atmosphere_.fog_at(scene_.camera.position.y); }
   void set_framebuffer(int width, int height, Passes passes);
   void begin_frame(const Framebuffer& framebuffer, const glm::vec3& background);
   double count_lights_per_fragment();
-  /// Uploads what a new plan lists. Returns its bytes.
+  /// Uploads a new plan's lists. Returns the bytes uploaded.
   std::size_t upload_lists(const FramePlan& plan);
   FrameCounts draw_stages(const FrameExposures& exposures, LightPoints light_points, FrameStatistics* statistics);
   void draw_light_points(const View& view, const FramePlan& plan);
@@ -159,7 +158,7 @@ class Renderer {
   Fog solved_fog_;  // for which carried lights are solved
   std::function<bool()> is_unwanted_;
   double exposure_ = 0;
-  std::size_t fog_bytes_ = 0;  // uploaded at the last change of the fog
+  std::size_t fog_bytes_ = 0;  // uploaded by the last change of the fog
   Framebuffer framebuffer_;
   SceneLights lights_;
   gl::FogLightTables light_tables_;

@@ -18,14 +18,14 @@ struct Camera {
 inline constexpr double kMinFieldOfViewDeg = 1;
 inline constexpr double kMaxFieldOfViewDeg = 150;
 
-/// Whether a camera looks anywhere but straight up or down, where its picture would have no upright.
+/// Whether a camera looks neither straight up nor straight down, where its picture has no up direction.
 inline bool has_heading(const Camera& camera) {
   const glm::dvec3 view = camera.target - camera.position;
   return glm::length(glm::dvec2(view.x, view.z)) > 1e-4 * glm::length(view);
 }
 inline constexpr const char* kHeadingRule = "must not be straight above or below the position, or at it";
 
-/// Unit vectors along a camera's axis, and to the right and up in its picture.
+/// Unit vectors along a camera's axis, to the right and up in its picture.
 ///
 /// camera  has_heading
 struct CameraAxes {
@@ -39,7 +39,7 @@ inline CameraAxes axes_of(const Camera& camera) {
   return {.forward = forward, .right = right, .up = glm::cross(right, forward)};
 }
 
-/// Into a camera's view: the eye at the origin, x to the right, y up, -z along the camera's axis.
+/// The transform into a camera's view: eye at the origin, x to the right, y up, -z along the camera's axis.
 ///
 /// camera  has_heading
 template <typename Real>
@@ -48,8 +48,8 @@ glm::mat<4, 4, Real> view_from_world(const Camera& camera) {
   return glm::lookAt(Vector(camera.position), Vector(camera.target), Vector(0, 1, 0));
 }
 
-/// The position from which floats measure what is around another position: the world's origin up to 8 km from it, where
-/// floats still resolve a millimetre, else a whole number of kilometres (of 1024 m) within 900 m of that position.
+/// The origin of floats near a position: the world's origin within 8 km of it, where floats still resolve a millimetre,
+/// else a whole number of kilometres (of 1024 m) within 900 m of the position.
 inline glm::dvec3 local_origin(const glm::dvec3& position) {
   constexpr double kNear = 8192;  // metres, as is the next
   constexpr double kStep = 1024;
@@ -57,7 +57,7 @@ inline glm::dvec3 local_origin(const glm::dvec3& position) {
   return glm::round(position / kStep) * kStep;
 }
 
-/// The camera relative to an origin.
+/// A camera relative to an origin.
 inline Camera relative_to(const glm::dvec3& origin, Camera camera) {
   camera.position -= origin;
   camera.target -= origin;

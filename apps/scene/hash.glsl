@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Numbers without a pattern, the same on every machine. C++ takes this text through scene/hash_random.h, which defines
-// LITFOG_FUNCTION first.
+// Hashes that are the same on every machine. Also compiled as C++ (scene/hash_random.h, which defines LITFOG_FUNCTION
+// first).
 
 #ifndef __cplusplus
 #define LITFOG_FUNCTION

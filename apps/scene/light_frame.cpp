@@ -39,7 +39,7 @@ glm::dmat3 light_from_world(const Bearing& light, const Attitude& viewpoint) {
 }
 
 glm::dmat3 basis_from_world(const glm::dvec3& direction) {
-  const bool is_upright = std::abs(direction.y) > 0.999;  // any up will do then
+  const bool is_upright = std::abs(direction.y) > 0.999;  // then any up direction will do
   const glm::dvec3 right =
       glm::normalize(glm::cross(direction, is_upright ? glm::dvec3(0, 0, -1) : glm::dvec3(0, 1, 0)));
   return rows(right, glm::cross(right, direction), -direction);

@@ -5,7 +5,7 @@
 
 namespace litfog::scene {
 
-/// How a viewpoint is turned in the world: radians. Heading to the right of -Z, pitch up, roll to the right.
+/// A viewpoint's attitude in the world, radians. Heading to the right of -Z, pitch up, roll to the right.
 struct Attitude {
   double heading = 0;
   double pitch = 0;
@@ -17,7 +17,7 @@ struct Bearing {
   double azimuth = 0;
   double elevation = 0;
 };
-/// The bearing of a direction in the world, to which a light without a viewpoint of its own points.
+/// The bearing of a light's direction in the world, for a light without a viewpoint of its own.
 ///
 /// direction  unit
 Bearing bearing_of(const glm::dvec3& direction);
@@ -37,7 +37,8 @@ glm::dmat3 light_from_world(const Bearing& light, const Attitude& viewpoint);
 /// direction  unit
 glm::dmat3 basis_from_world(const glm::dvec3& direction);
 
-/// Rotation into the frame of a light's cookie: that basis, turned about the direction to the right as seen along it.
+/// Rotation into the frame of a light's cookie: basis_from_world(), rolled about the direction, to the right as seen
+/// along it.
 ///
 /// direction  unit
 /// roll       radians

@@ -27,7 +27,7 @@ void extend(Bounds& box, const Mesh& mesh) {
   }
 }
 
-/// Fills the details in: those that stand for none.
+/// Fills in default details.
 void give_details(Mesh& mesh) {
   for (std::size_t i = mesh.details.size(); i < mesh.vertices.size(); ++i) mesh.details.push_back(detail_of(mesh, i));
 }
@@ -50,7 +50,7 @@ void append_by(Mesh& whole, const Mesh& piece, const Matrix& whole_from_piece) {
   }
   for (const Vertex& vertex : piece.vertices) {
     const Vector normal = glm::normalize(normals * Vector(vertex.normal));
-    // An uneven scale tilts the tangent off the normal's plane.
+    // A non-uniform scale tilts the tangent off the normal's plane.
     Vector tangent = linear * Vector(vertex.tangent);
     tangent = glm::normalize(tangent - normal * glm::dot(normal, tangent));
     whole.vertices.push_back({glm::vec3(whole_from_piece * glm::vec<4, Real>(vertex.position, 1)), normal,
@@ -143,7 +143,7 @@ void compute_tangents(Mesh& mesh) {
     const glm::vec2 uv_ac = c.uv - a.uv;
     const float determinant = uv_ab.x * uv_ac.y - uv_ab.y * uv_ac.x;
     if (determinant == 0.0f) continue;
-    // Not divided by the determinant's magnitude, so that each triangle weighs by its area.
+    // Not divided by the determinant's magnitude, so that each triangle is weighted by its area.
     const float sign = determinant < 0.0f ? -1.0f : 1.0f;
     const glm::vec3 tangent = sign * (ab * uv_ac.y - ac * uv_ab.y);
     const glm::vec3 bitangent = sign * (ac * uv_ab.x - ab * uv_ac.x);

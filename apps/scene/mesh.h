@@ -16,12 +16,12 @@ struct Vertex {
   glm::vec3 position;
   glm::vec3 normal;
   glm::vec4 tangent;  ///< xyz: the direction in which u grows; w: +1 or -1
-  glm::vec2 uv;       ///< metres of surface; Material::size_m is how many of them one tile covers
+  glm::vec2 uv;       ///< metres of surface; one tile covers Material::size_m
 };
 
-/// What only some meshes' vertices have.
+/// Vertex data that only some meshes have.
 struct VertexDetail {
-  glm::vec4 color{1};       ///< linear RGB and coverage, [0, 1]: multiply the base texture's
+  glm::vec4 color{1};       ///< linear RGB and coverage, [0, 1]; multiplies the base texture's
   glm::vec2 normal_uv{};    ///< Vertex::uv of the normal map
   glm::vec2 emission_uv{};  ///< Vertex::uv of Material::emission
 };
@@ -30,20 +30,20 @@ struct VertexDetail {
 struct Mesh {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
-  std::vector<VertexDetail> details = {};  ///< one a vertex; empty: white, all pictures at Vertex::uv
+  std::vector<VertexDetail> details = {};  ///< one per vertex; empty: white, all pictures at Vertex::uv
 };
 
 /// The detail of one vertex.
 VertexDetail detail_of(const Mesh& mesh, std::size_t vertex);
 
-/// A mesh and the name of what it is made of (Scene::materials).
+/// A mesh and its material's name (Scene::materials).
 struct Part {
   std::string material;
   Mesh mesh;
 };
 
-/// Something to put into a scene: one part per material. The origin is on the ground in the middle, and things with a
-/// front face -Z, unless the builder states otherwise. A deque, so that a reference from part() survives later parts.
+/// An object for a scene: one part per material. The origin is on the ground at the centre, and fronts face -Z, unless
+/// the builder states otherwise. A deque, so that a reference from part() survives later parts.
 using Model = std::deque<Part>;
 
 struct Bounds {
@@ -72,14 +72,14 @@ void append(Mesh& whole, const Mesh& piece, const glm::mat4& whole_from_piece = 
 void append(Mesh& whole, const Mesh& piece, const glm::dmat4& whole_from_piece);
 void append(Model& whole, const Model& piece, const glm::mat4& whole_from_piece = glm::mat4(1.0f));
 
-/// The mesh of a model's part of that material, made if there is none.
+/// The mesh of a model's part with that material, added if there is none.
 Mesh& part(Model& model, std::string_view material);
 
 /// Rotation by yaw about +Y (radians; counter-clockwise seen from above), then translation.
 glm::mat4 place(const glm::vec3& position, float yaw = 0.0f);
 
-/// Fills the tangents from positions, normals and uv; call it when those are final. Where uv is constant, any
-/// perpendicular of the normal.
+/// Computes the tangents from positions, normals and uv, which must be final. If uv is constant, any perpendicular of
+/// the normal.
 void compute_tangents(Mesh& mesh);
 
 /// Adds the back of every face: leaves and blades are seen from both sides, and back faces are culled.

@@ -21,15 +21,15 @@
 
 namespace litfog::scene {
 
-// Limits of a scene, so that no file exhausts the memory or exceeds what floats can draw.
+// Limits of a scene, so that no file exhausts memory or exceeds what floats can draw.
 inline constexpr std::size_t kMaxSceneLights = 100'000;
 inline constexpr std::size_t kMaxTriangles = 20'000'000;
 inline constexpr std::size_t kMaxVertices = 20'000'000;  ///< in all models: 960 MB, below the 2 GiB of a GL buffer
 inline constexpr double kMaxCoordinate = 1e7;            ///< metres
-inline constexpr double kMaxExposure = 32;               ///< EV, above and below 0: half floats span 40
+inline constexpr double kMaxExposure = 32;               ///< EV, above and below 0; half floats span 40
 inline constexpr double kMaxColor = 1e4;                 ///< a framebuffer's half floats end at 65,504
 
-/// What lights a scene besides its lamps. Colours are linear RGB.
+/// The light of a scene besides its lamps. Colours are linear RGB.
 struct Environment {
   glm::vec3 ambient_light{0.0f};
   glm::vec3 sky_zenith{0.0f};
@@ -43,11 +43,11 @@ struct Environment {
   bool has_moon() const { return moon_color != glm::vec3(0.0f); }
 };
 
-/// A model put somewhere.
+/// A placed model.
 struct Instance {
   std::size_t model;
   glm::dmat4 world_from_model;
-  bool is_beyond_lights = false;  ///< no light reaches it, nor the fog before it: drawn without (render::sort_polygons)
+  bool is_beyond_lights = false;  ///< drawn without lights, none of which reach it or its fog (render::sort_polygons)
 };
 
 /// An instance's matrix relative to an origin.
@@ -64,7 +64,7 @@ struct CookieUse {
   double spin = 0;  ///< radians a second
 };
 
-/// How a display shows pictures of a scene, where nothing else is asked for.
+/// The default display of a scene's pictures.
 struct SceneDisplay {
   std::optional<double> exposure = 0.0;  ///< EV, [-32, 32]; nothing: chosen from each picture
   bool is_clipped = false;               ///< channels are cut at white; otherwise the hue is kept
@@ -72,7 +72,7 @@ struct SceneDisplay {
   friend bool operator==(const SceneDisplay&, const SceneDisplay&) = default;
 };
 
-/// How a light is fixed to a vehicle: by where it points as seen from there.
+/// A light's mount on a vehicle: its direction as seen from the vehicle.
 struct Mount {
   Attitude vehicle = {};
   Bearing light = {};
@@ -80,43 +80,42 @@ struct Mount {
 
 /// Everything that a renderer draws. Plain data: no GL.
 struct Scene {
-  std::vector<std::string> files;  ///< all that it was read from: its own, light files, cookies, buffers, pictures
+  std::vector<std::string> files;  ///< all files read: the scene's, light files, cookies, buffers, pictures
   std::string name;
   std::string description;
-  std::string left_out;  ///< in words, what its file holds that is not drawn; empty: nothing
+  std::string left_out;  ///< contents of the file that are not drawn, in words; empty: none
   Camera camera;
   Environment environment;
-  std::vector<Material> materials;  ///< all that its parts name
+  std::vector<Material> materials;  ///< all that parts name
   std::vector<Model> models;
   std::vector<Instance> instances;
   std::vector<PlacedLight> lights;
-  /// The members of its file that state lights: "lights[2]", "city.window". Each light of a glTF file has one, as if it
-  /// stood in a scene file.
+  /// The members of the file that state lights: "lights[2]", "city.window". Each light of a glTF file has one, as if it
+  /// were in a scene file.
   std::vector<std::string> light_members;
-  std::vector<std::size_t> light_entries;  ///< one a light: its index in light_members
-  bool has_city = false;  ///< whether lights and instances are those of a generated city (model/city.h), too
+  std::vector<std::size_t> light_entries;  ///< one per light: index in light_members
+  bool has_city = false;                   ///< lights and instances include a generated city's (model/city.h)
   std::vector<Cookie> cookies;
-  std::map<std::size_t, CookieUse> cookie_uses;  ///< by their lights, whose cones are none
-  std::map<std::size_t, Mount> mounts;           ///< by their lights, whose directions they give
-  std::map<std::size_t, double> turn_rates;      ///< by light: radians a second at which its axis turns about +Y
-  std::vector<double> visibilities;              ///< metres: those at which the gallery shows the scene
-  bool is_lit_at_vertices = false;  ///< what tessellation does to light at vertices: a gallery of all scenes lacks it
+  std::map<std::size_t, CookieUse> cookie_uses;  ///< by light; these lights have no cone
+  std::map<std::size_t, Mount> mounts;           ///< by light; they give these lights' directions
+  std::map<std::size_t, double> turn_rates;      ///< by light; radians a second at which its axis turns about +Y
+  std::vector<double> visibilities;              ///< metres, for the gallery
+  bool is_lit_at_vertices = false;  ///< shows tessellation with light at vertices; a gallery of all scenes omits it
   SceneDisplay display = {};
-  double seconds = 0;            ///< its time, by which lights flash (lit_light)
-  std::vector<FogLayer> layers;  ///< as its file states them
-  /// Its fog is clear air: the visibility outside the layers is chosen where the scene is drawn. What is there then is
-  /// fog of droplets. Its profile is that of the layers at the contrast kContrastMor.
+  double seconds = 0;            ///< time, by which lights flash (lit_light)
+  std::vector<FogLayer> layers;  ///< as in the file
+  /// Fog of droplets, clear until the scene is drawn, which chooses the visibility outside the layers. The profile is
+  /// the layers' at the contrast kContrastMor.
   Atmosphere atmosphere = {.phase = Phase::droplets(kDroplets)};
-  bool states_phase = false;  ///< whether its file states the phase function
+  bool states_phase = false;  ///< whether the file states the phase function
 
   static constexpr double kDroplets = 10;  ///< micrometres
 };
 
-/// Largest time: a cookie or light of ten turns a second is then still in place to a thousandth of a degree.
+/// Largest time. A cookie or light at ten turns a second is then still exact to a thousandth of a degree.
 inline constexpr double kMaxSeconds = 1e9;
 
-/// Makes of a scene as read, which is at time 0, the scene at a time: turns the spinning cookies and the turning lights
-/// by what they turn in `seconds`.
+/// Moves a scene as read, which is at time 0, to a time: turns spinning cookies and turning lights.
 ///
 /// seconds  [0, kMaxSeconds]
 /// throws   std::invalid_argument naming the rule
@@ -130,15 +129,14 @@ inline void move_to_time(Scene& scene, double seconds) {
   scene.seconds = seconds;
 }
 
-/// A light as the scene's time has it: a flashing one is dark between its flashes.
+/// A light at the scene's time: a flashing light is dark between its flashes.
 inline PlacedLight lit_light(const Scene& scene, std::size_t light) {
   PlacedLight lit = scene.lights[light];
   lit.light.color *= flash_at(lit.light.flash, scene.seconds);
   return lit;
 }
 
-/// The visibility at which a scene is drawn if none is given, metres: the middle one of its own; without any, infinite
-/// between layers, or 200.
+/// The default visibility of a scene, metres: the middle one of its own; without any, infinite with layers, else 200.
 inline double suggested_visibility(const Scene& scene) {
   if (!scene.visibilities.empty()) return scene.visibilities[scene.visibilities.size() / 2];
   return scene.layers.empty() ? 200 : std::numeric_limits<double>::infinity();

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// IEC 61966-2-1, of a value clamped to [0, 1]. C++ takes this text through scene/srgb.cpp.
+// IEC 61966-2-1, of a value clamped to [0, 1]. Also compiled as C++ (scene/srgb.cpp).
 
 float srgb_from_linear(float linear) {
   float x = clamp(linear, 0.0f, 1.0f);

@@ -7,7 +7,7 @@
 
 namespace litfog::scene {
 
-/// How a picture goes on beyond [0, 1], and what is seen between its texels.
+/// How a texture is sampled: wrapping beyond [0, 1], and filters.
 struct Sampling {
   enum class Wrap { repeat, mirror, clamp };
   enum class Filter { linear, nearest };
@@ -30,7 +30,7 @@ struct Texels {
   Sampling sampling = {};
 };
 
-/// A texel's level for a fraction, clamped to [0, 1]; and for a linear value, also clamped, as sRGB (IEC 61966-2-1).
+/// A texel's level for a fraction; and for a linear value, as sRGB (IEC 61966-2-1). Both clamp to [0, 1].
 std::uint8_t level_of(float fraction);
 std::uint8_t srgb_level_of(float linear);
 

@@ -9,15 +9,15 @@
 
 namespace litfog::window {
 
-/// A light's airlight along a ray of an eye, gathered from the eye on, as a fraction of the light's colour.
+/// A light's airlight along a ray, accumulated from the eye on, as a fraction of the light's colour.
 struct AirlightCurve {
   double end;                  ///< metres: > 0, finite
   std::vector<double> single;  ///< airlight() up to the distances end * i / (size - 1)
-  std::vector<double> all;     ///< with multiple_scattering(); empty in atmospheres without
+  std::vector<double> all;     ///< plus multiple_scattering(); empty in atmospheres without it
 };
 
 /// The curve up to the surface that a ray meets, or else to twice the distance at which it passes the light, at least
-/// to that of the light itself.
+/// to the light's distance.
 ///
 /// samples  >= 2
 /// throws   std::invalid_argument naming field, value and rule

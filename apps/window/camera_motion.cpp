@@ -10,16 +10,16 @@ namespace {
 
 constexpr double kNearest = 0.1;  // metres
 constexpr double kFarthest = 1e5;
-constexpr double kClearance = 0.15;  // metres: more than from the eye to the near plane's corners
+constexpr double kClearance = 0.15;  // metres; more than from the eye to the near plane's corners
 
-/// No steeper than a camera may look.
+/// A direction turned right and up, no steeper than kSteepest.
 Direction tilted(const Direction& from, double right, double up) {
   return {from.heading + right, std::clamp(from.pitch + up, -kSteepest, kSteepest)};
 }
 
 glm::dvec3 view(const scene::Camera& camera) { return camera.target - camera.position; }
 
-/// Whether a surface is so near that the near plane cuts it.
+/// Whether a surface is so near that the near plane clips it.
 bool is_near(const glm::dvec3& at, const measure::TriangleTree& surfaces) {
   for (const double side : {-1.0, 1.0}) {
     for (int axis = 0; axis < 3; ++axis) {

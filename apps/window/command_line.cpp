@@ -13,7 +13,7 @@ namespace {
 
 using command::word_of;
 
-/// A word for a POSIX shell.
+/// Quotes a word for a POSIX shell.
 std::string shell_word(std::string_view word) {
   constexpr std::string_view kPlain = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-+./,:=@%";
   if (!word.empty() && word.find_first_not_of(kPlain) == word.npos) return std::string(word);

@@ -11,16 +11,16 @@
 
 namespace litfog::window {
 
-/// A picture as litfog-demo draws it.
+/// A picture that litfog-demo can draw.
 struct DrawingCommand {
-  std::string scene;  ///< as litfog-demo takes it: a bundled scene's name or a file
+  std::string scene;  ///< a bundled scene's name or a file
   drawing::DrawingOptions options = {};
   std::optional<scene::Camera> camera = {};  ///< replaces the scene's
   std::vector<scene::SceneChange> changes = {};
   bool is_lit_by_lamps_alone = false;
 };
 
-/// Its command line for a shell, without options that are at their defaults.
+/// The command line for a shell, without options at their defaults.
 std::string to_string(const DrawingCommand& command);
 
 }  // namespace litfog::window

@@ -9,20 +9,20 @@
 
 namespace litfog::window {
 
-// Controls in the current ImGui window, each with its name left of it, below each other.
+// Controls in the current ImGui window, one below the other, each with its name on the left.
 
-/// The name of the control that follows, which takes the rest of the line.
+/// Draws the name of the next control, which takes the rest of the line.
 void label(const char* name);
 
-/// A sentence beside the control before, where the mouse is over it; none where it is empty.
+/// A tooltip for the previous control; none if empty.
 void explain(const char* sentence);
 
-/// A slider. What it sets has four digits: what a person means.
+/// A slider. It sets values of four digits, because a user means no more.
 ///
 /// returns  whether it has been moved
 bool slide(const char* name, double& value, double low, double high, const char* format, ImGuiSliderFlags flags = 0);
 
-/// Choices side by side, of which one has been made. Returns whether another has been.
+/// Choices side by side, one of them active. Returns whether the choice has changed.
 template <typename Value, std::size_t count>
 bool choose(const char* name, Value& value, const command::Choice<Value> (&choices)[count]) {
   bool is_changed = false;
@@ -40,13 +40,13 @@ bool choose(const char* name, Value& value, const command::Choice<Value> (&choic
   return is_changed;
 }
 
-/// Numbers side by side that are dragged, or typed after a double click. What it sets is a whole number of hundredths.
+/// Numbers side by side that are dragged, or typed after a double click. Sets whole hundredths.
 ///
-/// speed    of dragging, a pixel
+/// speed    of dragging, per pixel
 /// returns  whether one has been changed
 bool drag(const char* name, std::span<double> values, double speed, const char* format);
 
-/// A small button that is grey where it does nothing.
+/// A small button that is grey if disabled.
 bool small_button(const char* text, bool is_enabled, const char* meaning);
 
 }  // namespace litfog::window

@@ -29,7 +29,7 @@ constexpr ImU32 kKneeColor = IM_COL32(150, 210, 150, 255);
 constexpr ImU32 kPeakColor = IM_COL32(255, 180, 80, 255);
 constexpr ImU32 kAllColor = IM_COL32(240, 240, 240, 255);
 
-/// A plot's place on the screen, and what it shows.
+/// A plot's rectangle on the screen, and its scales.
 struct Axes {
   ImVec2 low;   ///< the bottom left corner
   ImVec2 size;  ///< pixels
@@ -41,7 +41,7 @@ struct Axes {
   }
 };
 
-/// 1, 2 or 5 times a power of ten: some five of them make the whole.
+/// 1, 2 or 5 times a power of ten: about a fifth of the whole.
 double tick_step(double whole) {
   const double power = std::pow(10, std::floor(std::log10(whole / 5)));
   const double times = whole / 5 / power;
@@ -80,7 +80,7 @@ void draw_mark(ImDrawList& draw, const Axes& axes, double range, const std::stri
                text.c_str());
 }
 
-/// A line's name above the plot.
+/// Draws a line's name above the plot.
 void name(ImU32 color, const char* text) {
   ImGui::PushStyleColor(ImGuiCol_Text, color);
   ImGui::TextUnformatted(text);
@@ -88,7 +88,7 @@ void name(ImU32 color, const char* text) {
   ImGui::SameLine();
 }
 
-/// Axes with a grid in the rest of the window.
+/// Draws axes with a grid in the rest of the window.
 Axes draw_axes(double end, double top) {
   const float font = ImGui::GetFontSize();
   const ImVec2 corner = ImGui::GetCursorScreenPos();
@@ -101,9 +101,9 @@ Axes draw_axes(double end, double top) {
   return axes;
 }
 
-/// A line through samples at equal distances.
+/// Draws a line through samples at equal distances.
 ///
-/// value  of a sample
+/// value  gets the value of a sample
 template <typename Samples, typename Value>
 void plot(const Axes& axes, const Samples& samples, Value value, ImU32 color, float width) {
   std::vector<ImVec2> points;
@@ -149,7 +149,7 @@ void draw_airlight_curve(PlacedLight light, const Atmosphere& air, const render:
        fmt::format("{} {:.3g}", curve.all.empty() ? "airlight" : "  single", curve.single.back()).c_str());
   name(kPeakColor, fmt::format("  peak {:.3g}", peak).c_str());
   ImGui::TextDisabled("  along the ray at +");
-  const bool is_peak_near = peak < 3 * drawn.back();  // else its number above has to do
+  const bool is_peak_near = peak < 3 * drawn.back();  // else only its number above is shown
   const Axes axes = draw_axes(curve.end, std::max({drawn.back(), is_peak_near ? peak : 0, 1e-9}) * 1.2);
   plot(axes, curve.single, std::identity(), kExtentColor, 1.6f);
   if (!curve.all.empty()) plot(axes, curve.all, std::identity(), kAllColor, 2);

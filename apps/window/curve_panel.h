@@ -5,8 +5,8 @@
 
 namespace litfog::window {
 
-/// Draws what the picked lamp makes of the fog into the current ImGui window, as the picture has it: by airlight what
-/// the ray at the mouse gathers of it, by the peak (1 - f) a over the range.
+/// Draws how the picked lamp lights the fog into the current ImGui window, as in the picture: by airlight the airlight
+/// along the ray at the mouse, by peak (1 - f) a over the range.
 void draw_curve(const Session& session);
 
 }  // namespace litfog::window

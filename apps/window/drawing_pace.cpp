@@ -8,7 +8,7 @@ namespace litfog::window {
 
 void DrawingPace::learn(int divisor, double milliseconds) {
   const double wanted = divisor * std::sqrt(std::max(milliseconds, 0.0) / kTarget);
-  // A step finer only where there is room to spare: times vary, and a picture that changes its sharpness flickers.
+  // One step finer only with time to spare: times vary, and a picture that changes its sharpness flickers.
   const bool has_room = wanted < 0.8 * (divisor_ - 1);
   const int coarser = std::clamp(int(std::ceil(wanted)), 1, kCoarsest);
   if (coarser > divisor_)

@@ -3,17 +3,17 @@
 
 namespace litfog::window {
 
-/// How coarsely pictures are drawn while a view moves, so that a slow rasteriser keeps up: a picture's sides are
-/// divided by a whole number. When nothing has changed for a while it is drawn once at its full size.
+/// The resolution of pictures while a view moves, so that a slow rasteriser keeps up: a picture's sides are divided by
+/// a whole number. When nothing has changed for a while, one picture is drawn at full size.
 class DrawingPace {
  public:
   static constexpr int kCoarsest = 8;
-  static constexpr double kTarget = 80;       ///< milliseconds a picture of a moving view
+  static constexpr double kTarget = 80;       ///< milliseconds per picture of a moving view
   static constexpr double kStillAfter = 250;  ///< milliseconds after which a view is still
 
   int divisor() const { return divisor_; }  ///< 1 to kCoarsest
 
-  /// Learns from a picture: what it took at which divisor. A picture's time is taken to grow with its pixels.
+  /// Learns from a picture's time at a divisor. Assumes that time is proportional to the number of pixels.
   void learn(int divisor, double milliseconds);
 
  private:

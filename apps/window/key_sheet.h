@@ -3,7 +3,7 @@
 
 namespace litfog::window {
 
-/// What mouse and keys do.
+/// A mouse or keyboard action.
 struct KeyMeaning {
   const char* keys;
   const char* meaning;

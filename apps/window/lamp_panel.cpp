@@ -23,7 +23,7 @@ bool slide_degrees(const char* name, double& radians, double low, double high) {
   return true;
 }
 
-/// A lamp in the middle of the picture: the picked one's copy, or a plain one.
+/// Adds a lamp at the picture's centre: a copy of the picked one, or a plain one.
 void add_lamp(Session& session) {
   PlacedLight light{.light = {}, .position = session.camera.target, .direction = {0, -1, 0}};
   light.light.name = "lamp";
@@ -107,7 +107,7 @@ bool draw_cone(Cone& cone, bool was_point_light) {
   return is_changed;
 }
 
-/// A part of a colour to four digits, as a scene file, whose colours are floats, gives it back.
+/// A colour's component with four digits, as read back from a scene file, whose colours are floats.
 double shortest(double value) { return double(float(*command::parse_number(fmt::format("{:.4g}", value)))); }
 
 bool draw_color(glm::dvec3& color) {

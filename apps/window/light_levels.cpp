@@ -11,7 +11,7 @@
 namespace litfog::window {
 namespace {
 
-/// A level's part of the scale, of so many.
+/// The index of a level's part of the scale.
 std::size_t part_of(double level, std::size_t parts) {
   const double fraction = (level - kLeastLevel) / (kMostLevel - kLeastLevel);
   return fraction > 0 ? std::min(std::size_t(fraction * double(parts)), parts - 1) : 0;  // a NaN is dark

@@ -9,19 +9,19 @@
 
 namespace litfog::window {
 
-// Levels of light: EV above a display's white, of the luminance of linear sRGB after the exposure.
+// Levels of light: luminance of linear sRGB after the exposure, in EV above a display's white.
 
 inline constexpr double kLeastLevel = -12;
 inline constexpr double kMostLevel = 4;
 
-/// ev  of the exposure
+/// ev  the exposure
 double light_level(const float* rgb, double ev);
 
 /// A picture's levels as colours, by drawing::heat_color() from kLeastLevel to kMostLevel: bytes like
 /// drawing::shown_pixels(), black below.
 std::vector<std::uint8_t> false_colors(const render::Picture& light, double ev);
 
-/// Fractions of a picture's pixels by their levels, from kLeastLevel to kMostLevel; what is beyond counts at the ends.
+/// Fractions of a picture's pixels by their levels, from kLeastLevel to kMostLevel; levels beyond count at the ends.
 std::array<float, 64> light_histogram(const render::Picture& light, double ev);
 
 }  // namespace litfog::window

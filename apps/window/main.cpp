@@ -69,7 +69,7 @@ std::string keys_in_words() {
   return words;
 }
 
-/// What the window knows of a scene, of which the pictures' thread has the rest.
+/// The facts of a scene that the window keeps. The pictures' thread has the rest.
 scene::Scene facts_of(const scene::Scene& scene) {
   scene::Scene facts = scene;
   facts.models.clear();
@@ -80,7 +80,7 @@ scene::Scene facts_of(const scene::Scene& scene) {
 
 std::vector<std::filesystem::file_time_type> times_of(const std::vector<std::string>& files) {
   std::vector<std::filesystem::file_time_type> times;
-  std::error_code error;  // a file that is gone has a time, too
+  std::error_code error;  // a missing file gets a time, too
   for (const std::string& file : files) times.push_back(std::filesystem::last_write_time(file, error));
   return times;
 }
@@ -95,7 +95,7 @@ std::string counts_in_words(const render::FrameCounts& counts) {
       counts.airlights_invisible);
 }
 
-/// The window's panels, and the pictures that they order.
+/// The window's panels, and the pictures that they request.
 class App {
  public:
   App(const drawing::SceneOptions& given, scene::Scene scene, const drawing::DrawingOptions& settings)
@@ -105,11 +105,11 @@ class App {
   ///
   /// shortcuts  Window::begin_frame
   void draw(const std::string& shortcuts);
-  /// Reads a scene and shows it in the place of the one shown.
+  /// Reads a scene and shows it.
   ///
-  /// is_again  whether it is that one, whose file has changed
+  /// is_again  whether it is the scene shown, whose file has changed
   void open(const drawing::SceneOptions& given, bool is_again = false);
-  /// How long the window may wait for an event, seconds.
+  /// The time that the window may wait for an event, seconds.
   double rest() const;
 
  private:
@@ -134,7 +134,7 @@ class App {
   std::string pixel_in_words(const DrawnPicture& drawn) const;
   /// Shows words for a while.
   void say(const std::string& words);
-  /// Says what has been done, on standard output, too.
+  /// Shows words for a while and prints them on standard output.
   void tell(const std::string& words);
   render::Exposure shown_exposure() const;
   bool is_finished() const {
@@ -142,7 +142,7 @@ class App {
   }
 
   Session session_;
-  std::vector<std::filesystem::file_time_type> file_times_;  // of the scene's files
+  std::vector<std::filesystem::file_time_type> file_times_;  // the scene's files'
   std::unique_ptr<PictureMaker> maker_;
   std::optional<Reading> reading_;
   PicturePanel picture_;
@@ -152,11 +152,11 @@ class App {
   std::optional<std::size_t> hovered_;  // index in the list of lamps
   double looked_at_ = 0;                // milliseconds
   double changed_at_ = 0;               // milliseconds
-  bool wants_picture_ = false;          // to be saved when it is finished
+  bool wants_picture_ = false;          // saves the picture when it is finished
   bool shows_keys_ = false;
   bool was_false_colored_ = false;
-  std::array<float, 64> histogram_{};  // of the edited settings' picture
-  std::string words_;                  // what has last been done, or could not be
+  std::array<float, 64> histogram_{};  // the edited settings' picture's
+  std::string words_;                  // the last result or error
   double said_at_ = -kWordsStay;       // milliseconds
 };
 
@@ -180,14 +180,14 @@ void App::take_scene() {
   try {
     scene::Scene scene = reading.scene.get();
     drawing::DrawingOptions settings = session_.settings[0];
-    settings.visibility.reset();  // another scene suggests its own
+    settings.visibility.reset();  // the new scene suggests its own
     Session next(reading.given, facts_of(scene), settings);
     if (reading.is_again) next.look_as(session_);
     session_ = std::move(next);
     delivery_.reset();
     ordered_.reset();
     hovered_.reset();
-    maker_.reset();  // before another takes as much memory
+    maker_.reset();  // frees its memory before another takes as much
     maker_ = start(std::move(scene));
     say(reading.given.scene + (reading.is_again ? " has changed and was read again" : ""));
   } catch (const InputError& error) {
@@ -441,7 +441,7 @@ void App::save_scene() {
 void App::copy_command() {
   const std::string command = to_string(session_.command(session_.edited, picture_.width(), picture_.height()));
   ImGui::SetClipboardText(command.c_str());
-  tell(command);  // a clipboard may end with the window
+  tell(command);  // the clipboard may be lost with the window
 }
 
 struct Options {

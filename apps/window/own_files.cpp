@@ -49,7 +49,7 @@ void remember_file(const std::string& path) {
   for (const std::string& file : files) text += file + "\n";
   try {
     files::write_whole_file(list.string(), text);
-  } catch (const OutputError&) {  // a convenience, not worth a word
+  } catch (const OutputError&) {  // a convenience, not worth a message
   }
 }
 

@@ -7,15 +7,15 @@
 
 namespace litfog::window {
 
-// What the window keeps between runs, in $XDG_CONFIG_HOME/litfog, by default ~/.config/litfog.
+// Files that the window keeps between runs, in $XDG_CONFIG_HOME/litfog, by default ~/.config/litfog.
 
-/// A file in that folder, which is made; an empty path where there is no such folder.
+/// The path of a file in that folder, which is made; empty if it cannot be made.
 std::filesystem::path own_file(const std::string& name);
 
-/// The scene files that were last opened and are there, the newest first.
+/// The scene files last opened that still exist, the newest first.
 std::vector<std::string> recent_files();
 
-/// Makes a file the newest of them, of ten at most. Does nothing where it cannot be kept.
+/// Makes a file the newest of at most ten recent files. Does nothing if it cannot be stored.
 void remember_file(const std::string& path);
 
 }  // namespace litfog::window

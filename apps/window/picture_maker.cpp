@@ -17,14 +17,14 @@
 namespace litfog::window {
 namespace {
 
-/// A renderer that stays as long as its settings do, and what it was last told.
+/// A renderer that is kept as long as its settings stay, and its last state.
 class KeptRenderer {
  public:
-  /// Makes the renderer draw as asked for.
+  /// Sets the renderer to draw an order.
   void set(const scene::Scene& scene, const PictureOrder& order, const drawing::DrawingOptions& options) {
     const render::RenderSettings settings = options.settings();
     if (!renderer_ || renderer_->settings() != settings) {
-      renderer_.reset();  // before another takes as much memory
+      renderer_.reset();  // frees its memory before another takes as much
       renderer_.emplace(scene, order.width, order.height, settings);
     } else {
       const bool has_size = renderer_->width() == order.width && renderer_->height() == order.height;
@@ -58,7 +58,7 @@ class KeptRenderer {
     command::WallTimer timer;
     drawn.counts = renderer_->draw();
     drawn.milliseconds = timer.milliseconds();
-    renderer_->interrupt_when({});  // which would leave it drawing in floats
+    renderer_->interrupt_when({});  // an interruption would leave it drawing in floats
     drawn.light = renderer_->read();
     if (!is_sketch) drawn.light = drawing::whole_light(*renderer_, std::move(drawn.light));
     drawn.shown = drawing::displayed(drawn.light, camera_, drawn.display);
@@ -67,8 +67,8 @@ class KeptRenderer {
   }
 
  private:
-  /// The automatic exposure by a quarter of the width and height: off by up to 0.1 EV. It makes the first sketch a
-  /// fifth less work.
+  /// The automatic exposure at a quarter of the width and height, wrong by up to 0.1 EV. Saves a fifth of the first
+  /// sketch's work.
   double rough_exposure() {
     const int width = renderer_->width(), height = renderer_->height();
     renderer_->set_size(std::max(width / 4, 1), std::max(height / 4, 1));
@@ -146,7 +146,7 @@ void PictureMaker::work() try {
   std::shared_ptr<const std::vector<PlacedLight>> lights;
   scene::Scene& scene = scene_;
   const auto cookie_uses = scene.cookie_uses;
-  std::deque<KeptRenderer> renderers;  // which resizing does not move
+  std::deque<KeptRenderer> renderers;  // resizing a deque moves none
   std::unique_lock lock(mutex_);
   gl_renderer_ = context.renderer();
   while (true) {
@@ -187,7 +187,7 @@ void PictureMaker::work() try {
                                                    true, [this, &order] { return is_unwanted(order); }));
           }
           hand_over(std::move(rough));
-        } catch (const gl::Unsupported&) {  // the real pictures may need less
+        } catch (const gl::Unsupported&) {  // the final pictures may need less
         }
         timer = {};
       }
@@ -201,7 +201,7 @@ void PictureMaker::work() try {
     } catch (const render::Interrupted&) {
       lock.lock();
       continue;
-    } catch (const gl::Unsupported& missing) {  // these settings lack something; others may work
+    } catch (const gl::Unsupported& missing) {  // other settings may work
       delivery.pictures.clear();
       delivery.error = missing.what();
       renderers.clear();
@@ -211,7 +211,7 @@ void PictureMaker::work() try {
     }
     hand_over(std::move(delivery));
     lock.lock();
-    // From members of the scene that this thread does not change.
+    // Reads only members of the scene that this thread does not change.
     if (!surfaces_.valid())
       surfaces_ = std::async(std::launch::async, [&scene] { return measure::TriangleTree(scene); });
   }

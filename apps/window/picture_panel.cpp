@@ -42,7 +42,7 @@ void upload(const gl::TextureName& texture, const render::Picture& picture, cons
   glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
 }
 
-/// Text on the picture.
+/// Draws text on the picture.
 void draw_words(ImDrawList& draw, ImVec2 at, const std::string& words) {
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());
   draw.AddRectFilled({at.x - 5, at.y - 3}, {at.x + size.x + 5, at.y + size.y + 3}, IM_COL32(0, 0, 0, 150), 3);
@@ -57,7 +57,7 @@ std::string settings_in_words(char letter, const drawing::DrawingOptions& option
                      fog);
 }
 
-/// Where the panel lies on the screen.
+/// The panel's rectangle on the screen.
 struct Area {
   ImVec2 corner;
   ImVec2 size;
@@ -71,7 +71,7 @@ struct Area {
   float wipe_x(const Session& session) const { return corner.x + std::round(float(session.wipe) * size.x); }
 };
 
-/// Moves the picked lamp, which stays as far from the camera's plane.
+/// Moves the picked lamp at its distance from the camera's plane.
 void drag_lamp(Session& session, const Area& area) {
   PlacedLight light = session.lights()[*session.picked];
   const scene::CameraAxes axes = axes_of(session.camera);
@@ -82,8 +82,7 @@ void drag_lamp(Session& session, const Area& area) {
   if (!find_error(light)) session.change(*session.picked, light);
 }
 
-/// Turns the camera by what the left button drags, about a point where it orbits, and shifts it by what the right one
-/// does.
+/// Turns the camera as the left button drags, about a pivot if it orbits, and shifts it as the right button drags.
 void drag_camera(Session& session, const Area& area, const glm::dvec3& pivot) {
   const ImVec2 delta = ImGui::GetIO().MouseDelta;
   const double right = -double(delta.x / area.size.y);
@@ -99,7 +98,7 @@ void drag_camera(Session& session, const Area& area, const glm::dvec3& pivot) {
   }
 }
 
-/// What the mouse points at, or else the camera's target.
+/// The point under the mouse, or else the camera's target.
 glm::dvec3 pointed_at(const Session& session) {
   const EyeRay& ray = session.ray;
   return std::isfinite(ray.length) ? ray.origin + ray.length * ray.direction : session.camera.target;
@@ -113,7 +112,7 @@ void zoom(Session& session, const glm::dvec3& pivot, double notches) {
     fly(session.camera, 0, 0, (1 - factor) * target_distance(session.camera));
 }
 
-/// How far a lamp reaches: circles at its extent, and lines along the edge of its cone.
+/// Draws a lamp's reach: circles at its extent, and lines along the edge of its cone.
 void draw_reach(ImDrawList& draw, const Area& area, double aspect, const scene::Camera& camera,
                 const PlacedLight& light) {
   constexpr int kPieces = 48;
@@ -152,7 +151,7 @@ void draw_reach(ImDrawList& draw, const Area& area, double aspect, const scene::
   }
 }
 
-/// What false colours mean, in the picture's lower left corner.
+/// Draws the scale of false colours in the picture's lower left corner.
 void draw_scale(ImDrawList& draw, const Area& area) {
   constexpr int kLevels = int(kMostLevel - kLeastLevel);
   const float font = ImGui::GetFontSize();
@@ -169,14 +168,14 @@ void draw_scale(ImDrawList& draw, const Area& area) {
   }
 }
 
-/// Where the ray of the curve is.
+/// Marks the ray of the curve.
 void draw_cross(ImDrawList& draw, ImVec2 at) {
   const ImU32 color = IM_COL32(255, 255, 255, 160);
   draw.AddLine({at.x - 6, at.y}, {at.x + 7, at.y}, color);
   draw.AddLine({at.x, at.y - 6}, {at.x, at.y + 7}, color);
 }
 
-/// Rings around the picked lamp, its copies and the lamp under the mouse, which has its name beside it.
+/// Draws rings around the picked lamp, its copies and the lamp under the mouse, with that lamp's name.
 void mark_lamps(ImDrawList& draw, const Area& area, double aspect, const Session& session,
                 std::optional<std::size_t> hovered) {
   const auto mark = [&](std::size_t light, ImU32 color, float radius) {
@@ -197,7 +196,7 @@ void mark_lamps(ImDrawList& draw, const Area& area, double aspect, const Session
   draw_words(draw, {at.x + 16, at.y - 8}, session.lights()[*hovered].light.name);
 }
 
-/// The line between two settings' pictures, and what they are.
+/// Draws the line between two settings' pictures, and their names.
 void draw_wipe(ImDrawList& draw, const Area& area, const Session& session) {
   const float x = area.wipe_x(session);
   const ImVec2 end = area.end();

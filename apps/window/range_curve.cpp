@@ -6,7 +6,7 @@
 namespace litfog::window {
 namespace {
 
-/// Where a plot ends: beyond the extent, or where a light without one has nothing more to show.
+/// The end of a plot: beyond the extent, else beyond the peak, else 4 optical depths.
 double end_of(const FogIntensity& solved, const Fog& fog) {
   if (std::isfinite(solved.extent) && solved.extent > 0) return solved.extent * 1.1;
   if (std::isfinite(solved.peak_range) && solved.peak_range > 0) return solved.peak_range * 4;

@@ -9,7 +9,7 @@
 
 namespace litfog::window {
 
-/// What a light makes of fog along its range, for a plot: (1 - f) a and its two factors.
+/// (1 - f) a and its two factors over a light's range, for a plot.
 struct RangeCurve {
   struct Sample {
     double opacity;      ///< 1 - f
@@ -18,14 +18,14 @@ struct RangeCurve {
   };
 
   FogIntensity solved;          ///< the peak's height and range, and the extent
-  double knee;                  ///< metres; 0 where there is none
+  double knee;                  ///< metres; 0: none
   double end;                   ///< end of the plot, metres: > 0, finite
   std::vector<Sample> samples;  ///< at ranges end * i / (size - 1)
 };
 
-/// The curve from range 0 to a little beyond the extent; without an end of the light, to four times the peak's range.
+/// The curve from range 0 to a little beyond the extent; for a light without an end, to four times the peak's range.
 ///
-/// fog      the scene's: the light sees it at its class's density
+/// fog      the scene's; the light's density scale applies
 /// samples  >= 2
 /// throws   std::invalid_argument naming field, value and rule
 RangeCurve make_range_curve(const Light& light, const Fog& fog, int samples);

@@ -19,7 +19,7 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// A file that has been read before, with all its rules.
+/// Reads a file again that has already passed all rules.
 Json read_again(const std::string& path) {
   std::ifstream file(path);
   Json json = Json::parse(file, nullptr, /* allow_exceptions */ false);
@@ -39,7 +39,7 @@ Json cone_json(const Cone& cone) {
   return json;
 }
 
-/// "lights[0].light.attenuation.quadratic" as the keys that lead there.
+/// The keys of a path such as "lights[0].light.attenuation.quadratic".
 std::vector<std::string> keys_of(const std::string& member) {
   std::vector<std::string> keys;
   for (std::size_t begin = 0; begin < member.size();) {
@@ -50,16 +50,16 @@ std::vector<std::string> keys_of(const std::string& member) {
   return keys;
 }
 
-/// Writes a light file out in the place of its name.
+/// Replaces a light file's name by its contents.
 void write_out(Json& name, const fs::path& folder) {
   const fs::path file = folder / name.get<std::string>();
   Json light = read_again(file.string());
   if (!light.contains("name")) light["name"] = file.stem().string();
-  light.erase("fit");  // it tells of the light that was fitted
+  light.erase("fit");  // it describes the light as fitted
   name = std::move(light);
 }
 
-/// As files::with_value() changes what is read.
+/// Applies a change like files::with_value().
 void apply(Json& scene, const scene::SceneChange& change, const fs::path& folder) {
   Json* value = &scene;
   Json* holder = nullptr;
@@ -80,18 +80,18 @@ void apply(Json& scene, const scene::SceneChange& change, const fs::path& folder
     holder->erase(last);
 }
 
-/// Makes a path beside one file one beside another.
+/// Changes a path relative to one file into a path relative to another.
 void move_path(Json& path, const fs::path& from, const fs::path& to) {
   const fs::path file = fs::absolute(from).parent_path() / path.get<std::string>();
   path = file.lexically_normal().lexically_proximate(fs::absolute(to).parent_path().lexically_normal()).string();
 }
 
-/// Moves the paths in an object that is itself a light file's name or a light.
+/// Moves the paths in a light file's name or a light.
 void move_light(Json& light, const fs::path& from, const fs::path& to) {
   if (light.is_string()) move_path(light, from, to);
 }
 
-std::vector<double> rounded(const glm::vec3& v) {  // as short as floats that read back
+std::vector<double> rounded(const glm::vec3& v) {  // the shortest numbers that give the same floats
   const auto shortest = [](float x) { return *command::parse_number(fmt::format("{}", x)); };
   return {shortest(v.x), shortest(v.y), shortest(v.z)};
 }
@@ -111,7 +111,7 @@ std::vector<scene::SceneChange> changes_of(const std::string& member, const Plac
   const bool is_moved = is.position != was.position;
   if (is_moved) add("position", exact(is.position));
   if (is.direction != was.direction || (is_moved && facts_of(to.cone.profile).profile != ConeProfile::none)) {
-    add("aim", nullptr);  // which would turn the light as it moves
+    add("aim", nullptr);  // an aim would turn the light as it moves
     add("direction", exact(is.direction));
   }
   compare("attenuation.constant", from.attenuation.constant, to.attenuation.constant);
@@ -126,7 +126,7 @@ std::vector<scene::SceneChange> changes_of(const std::string& member, const Plac
 
 std::string light_entry(const PlacedLight& light) {
   Json own = Json::parse(format_light(light.light));
-  own.erase("litfog");  // only a file of its own needs them
+  own.erase("litfog");  // only light files need these members
   own.erase("version");
   Json entry{{"light", own}, {"position", exact(light.position)}, {"direction", exact(light.direction)}};
   if (light.carried) entry["carried"] = true;

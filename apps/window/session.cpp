@@ -67,7 +67,7 @@ void Session::look_as(const Session& other) {
 drawing::SceneOptions Session::given_now() const {
   drawing::SceneOptions now = given_;
   now.changes = changes();
-  now.city_lights = 0;  // it is among them
+  now.city_lights = 0;  // the changes include it
   return now;
 }
 
@@ -137,7 +137,7 @@ void Session::remove(std::size_t light) {
 }
 
 void Session::take(Lamps lamps) {
-  constexpr std::size_t kMaxKept = 1'000'000;  // lights in all steps, 300 MB
+  constexpr std::size_t kMaxKept = 1'000'000;  // lights in all steps: 300 MB
   if (!is_step_open_) undone_to_.push_back(lamps_);
   while (undone_to_.size() > 1 && undone_to_.size() * lights().size() > kMaxKept) undone_to_.erase(undone_to_.begin());
   redone_to_.clear();
@@ -178,7 +178,7 @@ std::vector<scene::SceneChange> Session::changes() const {
     const auto changes = changes_of(members[scene_.light_entries[i]], scene_.lights[i], lights()[i]);
     all.insert(all.end(), changes.begin(), changes.end());
   }
-  for (std::size_t entry = members.size(); entry-- > 0;) {  // backwards, so that none moves another's index
+  for (std::size_t entry = members.size(); entry-- > 0;) {  // backwards, so that no removal shifts a later index
     if (is_removed[entry]) all.push_back({members[entry], "null"});
   }
   return all;

@@ -20,89 +20,88 @@ namespace litfog::window {
 /// How dragging over the picture moves the camera.
 enum class CameraMotion { fly, orbit };
 
-/// What a person looks at and changes in a window, apart from how the window shows it.
+/// The state that a user views and edits in a window, apart from how the window shows it.
 class Session {
  public:
-  /// given     where the scene is from
-  /// scene     of which meshes and materials do not matter
-  /// settings  without a visibility that of the runway visual range is taken, or the scene's own
+  /// given     the scene's source
+  /// scene     meshes and materials are ignored
+  /// settings  without a visibility, the runway visual range's or the scene's is taken
   Session(drawing::SceneOptions given, scene::Scene scene, const drawing::DrawingOptions& settings);
 
   // Two settings, A and B, which split views compare. B is a copy of A until the view is split for the first time.
   std::array<drawing::DrawingOptions, 2> settings;
   bool is_split = false;
-  std::size_t edited = 0;  ///< which of them the controls change: 0 but in split views
-  double wipe = 0.5;       ///< where A ends and B begins, a fraction of the width
+  std::size_t edited = 0;  ///< index of the settings that the controls change; 0 except in split views
+  double wipe = 0.5;       ///< boundary between A and B, a fraction of the width
 
   scene::Camera camera;
-  bool is_false_colored = false;  ///< whether levels of light are shown by colours of their own
+  bool is_false_colored = false;  ///< shows levels of light in false colours
   CameraMotion motion = CameraMotion::orbit;
   std::optional<std::size_t> picked;  ///< index of a light
-  EyeRay ray;                         ///< that of the picture at which the mouse was last, with its end
+  EyeRay ray;                         ///< the ray last under the mouse, with its end
 
   bool runs = false;  ///< whether time passes
 
   drawing::DrawingOptions& edited_settings() { return settings[edited]; }
   double time() const { return settings[0].seconds; }
-  void set_time(double seconds);  ///< of both settings
+  void set_time(double seconds);  ///< for both settings
   void split(bool on);
   /// Takes the settings of another session with the same scene, and its camera if that has been moved.
   void look_as(const Session& other);
-  /// Where the scene is from, with all changes.
+  /// The scene's source, with all changes.
   drawing::SceneOptions given_now() const;
 
-  const scene::Scene& scene() const { return scene_; }  ///< as it was given
-  /// The scene's, of which removed ones are black, and those that have been added.
+  const scene::Scene& scene() const { return scene_; }  ///< as given
+  /// The scene's lights, removed ones black, then added lights.
   const std::vector<PlacedLight>& lights() const { return lamps_->lights; }
-  /// A light as it is turned at the time.
+  /// A light as turned at the current time.
   PlacedLight light_now(std::size_t light) const;
-  /// How many lights change with one: those that the same member of the file states.
+  /// The number of lights that change together: the same member of the file states them.
   std::size_t copies(std::size_t light) const;
-  /// The first light of each such member that has not been removed.
+  /// The first light of each member that has not been removed.
   const std::vector<std::size_t>& firsts() const { return lamps_->firsts; }
   /// Whether two lights are one, or copies of each other.
   bool are_copies(std::size_t a, std::size_t b) const { return lamps_->entries[a] == lamps_->entries[b]; }
-  /// Takes another light in the place of one, and of its copies. Those keep their names, and move with it.
+  /// Replaces a light and its copies. The copies keep their names, and move with it.
   ///
-  /// changed  it is valid (find_error())
+  /// changed  valid (find_error())
   void change(std::size_t light, const PlacedLight& changed);
-  void reset(std::size_t light);  ///< one of the scene's, with its copies
+  void reset(std::size_t light);  ///< a light of the scene, with its copies
   void reset_all();
   bool is_added(std::size_t light) const { return light >= scene_.lights.size(); }
   bool is_changed(std::size_t light) const;  ///< or added
   bool has_changes() const { return lamps_ != given_lamps_; }
-  /// Whether an item of a scene file's "lights" states it: no glTF file, and no city's.
+  /// Whether an item of a scene file's "lights" states the light, not a glTF file or a city.
   bool is_removable(std::size_t light) const;
-  bool is_movable(std::size_t light) const;  ///< also in the world: no vehicle's
+  bool is_movable(std::size_t light) const;  ///< also in the world: not on a vehicle
   bool takes_more_lights() const;
-  /// Adds a light, which becomes the picked one.
+  /// Adds a light and picks it.
   void add(const PlacedLight& light);
   void remove(std::size_t light);  ///< with its copies
 
-  // Undoing and redoing of all that changes lights. Changes until end_step() are one step.
+  // Undo and redo of all changes of lights. Changes until end_step() are one step.
   bool can_undo() const { return !undone_to_.empty(); }
   bool can_redo() const { return !redone_to_.empty(); }
   void undo() { step_back(undone_to_, redone_to_); }
   void redo() { step_back(redone_to_, undone_to_); }
   void end_step() { is_step_open_ = false; }
-  /// What has been changed of the scene's file: what was given, with the number of a city's lights, and then the
-  /// lights.
+  /// All changes of the scene's file: the given ones, with the number of a city's lights, then the lights'.
   std::vector<scene::SceneChange> changes() const;
 
-  /// What the settings draw, in pixels.
+  /// The order for the settings' pictures. Sizes in pixels.
   PictureOrder order(int width, int height, bool is_sketch) const;
   /// The command that draws the same.
   DrawingCommand command(std::size_t which, int width, int height) const;
   /// The fog of one of the settings.
   Fog fog(std::size_t which) const;
   bool is_camera_moved() const;
-  /// The camera if it is not that of the scene's file.
+  /// The camera if it differs from the scene file's.
   std::optional<scene::Camera> own_camera() const;
 
  private:
   struct Lamps {
     std::vector<PlacedLight> lights;
-    std::vector<std::size_t> entries;  // one a light: Scene::light_entries, then a number of its own for each added one
+    std::vector<std::size_t> entries;  // one per light: Scene::light_entries, then a new number for each added light
     std::vector<std::size_t> firsts;
   };
   using Steps = std::vector<std::shared_ptr<const Lamps>>;
@@ -121,11 +120,10 @@ class Session {
   bool was_split_ = false;
 };
 
-/// A picture whose left part, up to a fraction of the width, is one picture's and whose right part another's of the
-/// same size.
+/// Combines two pictures of one size: the left one up to a fraction of the width, then the right one.
 render::Picture wiped(const render::Picture& left, const render::Picture& right, double fraction);
 
-/// The first of STEM-1.ENDING, STEM-2.ENDING... that is no file yet.
+/// The first of STEM-1.ENDING, STEM-2.ENDING, ... that does not exist.
 std::string free_file_name(const std::string& stem, const std::string& ending);
 
 }  // namespace litfog::window

@@ -58,7 +58,7 @@ void draw_presets(drawing::DrawingOptions& options) {
 struct PhaseKind {
   const char* text;
   const char* prefix;
-  double first, least, most;  ///< its number's; all 0: it has none
+  double first, least, most;  ///< of its parameter; all 0: none
 };
 constexpr PhaseKind kPhaseKinds[] = {{"as in the scene", "", 0, 0, 0},
                                      {"isotropic", "isotropic", 0, 0, 0},
@@ -93,7 +93,7 @@ void draw_phase(drawing::DrawingOptions& options) {
   }
 }
 
-/// Returns why a file of layers cannot be taken.
+/// Returns why a file of layers is refused.
 std::string draw_layers(drawing::DrawingOptions& options) {
   label("Layers");
   std::string file = options.layers_file;
@@ -175,7 +175,7 @@ void draw_lighting(drawing::DrawingOptions& options) {
   if (choose("Fog light", drawn.fog_lighting, drawing::kFogLights)) options.fog_light = drawn.fog_lighting;
   ImGui::BeginDisabled(drawn.fog_lighting != render::FogLighting::airlight);
   if (choose("Scattering", drawn.scattering, drawing::kScatterings)) {
-    options.scattering.reset();  // all, where fog has it
+    options.scattering.reset();  // the default: all, where fog has it
     if (drawn.scattering == render::Scattering::single) options.scattering = drawn.scattering;
   }
   ImGui::EndDisabled();
@@ -228,7 +228,7 @@ void draw_camera(Session& session) {
   ImGui::EndDisabled();
 }
 
-/// Returns a scene that is to be opened.
+/// Returns the scene to open, or an empty text.
 std::string pick_scene(const scene::Scene& scene) {
   std::string picked;
   ImGui::SetNextItemWidth(-FLT_MIN);

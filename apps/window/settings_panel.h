@@ -8,18 +8,18 @@
 
 namespace litfog::window {
 
-/// What a person asks for beside changes of the session.
+/// Requests of the user besides changes of the session.
 struct Wishes {
-  bool picture = false;  ///< to be saved
+  bool picture = false;  ///< save it
   bool scene = false;
-  bool command = false;        ///< to be copied
-  std::string opened = {};     ///< a scene to be opened, as drawing::SceneOptions names it
-  std::string complaint = {};  ///< why a setting cannot be as it was asked for
+  bool command = false;        ///< copy it
+  std::string opened = {};     ///< scene to open, as in drawing::SceneOptions
+  std::string complaint = {};  ///< why a setting was refused
 };
 
 /// Draws the controls of fog, lighting, display and camera into the current ImGui window.
 ///
-/// shown_exposure  of the edited settings as they are drawn
+/// shown_exposure  the edited settings', as drawn
 /// histogram       light_histogram() of that picture
 Wishes draw_settings(Session& session, const render::Exposure& shown_exposure, std::span<const float> histogram);
 

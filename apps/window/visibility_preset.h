@@ -9,14 +9,14 @@
 
 namespace litfog::window {
 
-/// A visibility or runway visual range that has a name.
+/// A named visibility or runway visual range.
 struct VisibilityPreset {
   const char* name;
   double metres;
   bool is_runway_visual_range;
   const char* meaning;  ///< one sentence
 
-  /// Metres: the visibility in fog of a mode, by a contrast; nothing where the lamps are not seen so far in clear air.
+  /// The visibility in a fog mode, by a contrast, metres; nothing if the lamps are not visible so far in clear air.
   std::optional<double> visibility(FogMode mode, double contrast, const RunwayLights& lights = {}) const {
     if (!is_runway_visual_range) return metres;
     if (find_runway_visual_range_error(metres, lights)) return std::nullopt;
@@ -28,7 +28,7 @@ struct VisibilityPreset {
 inline constexpr double kMinVisibility = 5;  ///< metres
 inline constexpr double kMaxVisibility = 50'000;
 
-/// Approach categories by their lowest runway visual range: ICAO Annex 6 as the AIP of India quotes it (AD 2.1, "Low
+/// Approach categories by lowest runway visual range: ICAO Annex 6 as quoted by the AIP of India (AD 2.1, "Low
 /// visibility procedures").
 inline constexpr std::array<VisibilityPreset, 7> kVisibilityPresets{{
     {"CAT IIIB", 50, true, "Lowest runway visual range of category IIIB: 50 m"},

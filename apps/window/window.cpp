@@ -2,7 +2,7 @@
 #include "window/window.h"
 
 #include <epoxy/gl.h>
-// After epoxy, whose declarations of OpenGL it takes.
+// After epoxy, because it uses epoxy's declarations of OpenGL.
 #include <GLFW/glfw3.h>
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
@@ -47,7 +47,7 @@ void set_style(float scale) {
   style.Colors[ImGuiCol_Button] = {0.21f, 0.22f, 0.25f, 1};
   style.Colors[ImGuiCol_ButtonHovered] = faded(0.45f);
   style.Colors[ImGuiCol_ButtonActive] = faded(0.7f);
-  style.Colors[ImGuiCol_SliderGrab] = faded(0.5f);  // values are written over it
+  style.Colors[ImGuiCol_SliderGrab] = faded(0.5f);  // because values are written over it
   style.Colors[ImGuiCol_SliderGrabActive] = accent;
   style.Colors[ImGuiCol_CheckMark] = accent;
   style.Colors[ImGuiCol_Header] = faded(0.3f);
@@ -106,7 +106,7 @@ Window::Window(const std::string& title, int width, int height) {
     if (key == GLFW_KEY_F1) shortcuts += kHelp;
     if (key == GLFW_KEY_DELETE) shortcuts += kDelete;
   });
-  ImGui_ImplGlfw_InitForOpenGL(window_, true);  // which calls that, too
+  ImGui_ImplGlfw_InitForOpenGL(window_, true);  // chains to that callback
   ImGui_ImplOpenGL3_Init("#version 330");
 }
 

@@ -13,8 +13,8 @@ namespace litfog::window {
 /// time.
 class Window {
  public:
-  /// width, height  in the display's units; made smaller where the display is
-  /// throws         command::MissingCapability where there is no display or no OpenGL 3.3 on it
+  /// width, height  in the display's units; limited to the display's size
+  /// throws         command::MissingCapability if there is no display or no OpenGL 3.3 on it
   Window(const std::string& title, int width, int height);
   ~Window();
   Window(const Window&) = delete;
@@ -24,19 +24,19 @@ class Window {
   static constexpr char kDelete = 127;
 
   bool is_closed() const;
-  /// Waits for an event or wake(), at most for a time in seconds. Not at all where something has just happened, because
-  /// controls take a few frames to settle.
+  /// Waits for an event or wake(), at most for a time in seconds. Does not wait just after an event, because controls
+  /// take a few frames to settle.
   void wait(double seconds);
-  /// Ends wait(); from any thread.
+  /// Ends wait(). May be called from any thread.
   static void wake();
 
   /// The files that have been dropped on the window since the last call.
   std::vector<std::string> take_dropped() { return std::exchange(dropped_, {}); }
 
-  /// Between them controls are drawn.
+  /// Controls are drawn between begin_frame() and end_frame().
   ///
-  /// returns  the keys that have been pressed since the last frame, however shortly: letters with Ctrl, small ones
-  ///          without, kHelp and kDelete
+  /// returns  the keys pressed since the last frame, however shortly: capital letters with Ctrl, small letters without,
+  ///          kHelp and kDelete
   std::string begin_frame();
   void end_frame();
 
@@ -45,7 +45,7 @@ class Window {
   int frames_to_settle_ = 0;
   std::string shortcuts_;
   std::vector<std::string> dropped_;
-  std::string layout_file_;  // of which ImGui keeps a pointer
+  std::string layout_file_;  // ImGui keeps a pointer to it
 };
 
 }  // namespace litfog::window

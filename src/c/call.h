@@ -29,16 +29,16 @@ litfog_status call(const Body& body) noexcept {
 /// lose.
 ///
 /// name    name of the parameter or member, for the error
-/// throws  std::invalid_argument where it is null
+/// throws  std::invalid_argument if it is null
 template <typename T>
 T& at(T* pointer, const char* name) {
   if (pointer == nullptr) throw std::invalid_argument(std::string(name) + ": must not be NULL");
   return *pointer;
 }
 
-/// A caller's array; it may be null where it is empty.
+/// A caller's array; may be null if empty.
 ///
-/// throws  std::invalid_argument also where no memory is that large: a negative count of a language that has them
+/// throws  std::invalid_argument also for sizes beyond memory, such as another language's negative count
 template <typename T>
 std::span<T> array(T* first, std::size_t count, const char* name) {
   if (count > 0) at(first, name);

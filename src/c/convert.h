@@ -11,8 +11,8 @@
 #include "litfog/c/litfog.h"
 #include "litfog/light.h"
 
-// Converts a caller's structs to C++. Numbers that are no enumerator throw std::invalid_argument; all other rules are
-// those of the C++ calls, which check them.
+// Converts a caller's structs to C++. Numbers that are not enumerators throw std::invalid_argument; the C++ calls check
+// all other rules.
 
 namespace litfog::c {
 
@@ -45,8 +45,8 @@ struct Column {
   const char* name;
 };
 
-/// Throws std::invalid_argument where a column of results shares memory with another or with one that is read.
-/// Allocates only then.
+/// Throws std::invalid_argument if a column of results shares memory with another or with one that is read. Allocates
+/// only then.
 void expect_apart(std::span<const Column> results, std::span<const Column> read);
 
 }  // namespace litfog::c

@@ -4,7 +4,7 @@
 #include "litfog/light_clusters.h"
 #include "litfog/updater.h"
 
-// What the handles of litfog.h stand for that more than one file takes.
+// The structs behind handles of litfog.h that several files use.
 
 struct litfog_updater {
   litfog::FogUpdater updater;

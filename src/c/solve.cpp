@@ -16,7 +16,7 @@ using namespace litfog;
 
 namespace {
 
-/// A column that holds a value a light, or one for all.
+/// A column with one value per light, or one for all.
 template <typename Real>
 std::span<const Real> shared_column(const Real* first, std::size_t size, std::size_t count, const char* name) {
   if (size != 1 && size != count) {
@@ -45,7 +45,7 @@ std::array<c::Column, 5> columns_of(const BasicBatchLights<Real>& lights) {
            {lights.density, "lights.density"}}};
 }
 
-/// A column of results, empty where it is not asked for.
+/// A column of results, empty if not asked for.
 template <typename Result, typename T>
 std::span<Result> result_column(T* first, std::size_t count) {
   static_assert(sizeof(Result) == sizeof(T));

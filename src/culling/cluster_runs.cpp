@@ -17,12 +17,12 @@ HWY_BEFORE_NAMESPACE();
 namespace litfog::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-// View space: x right, y up, z the depth. A plane with the unit normal n through the eye has a light's sector on its
-// far side where n.p + h(n) < 0 with the apex p and the sector's support h(n), the most by which a point of the sector
-// is beyond the apex along n:
+// View space: x right, y up, z the depth. A light's sector with the apex p lies beyond a plane through the eye with the
+// unit normal n if n.p + h(n) < 0. The sector's support h(n) is the largest distance along n from the apex to a point
+// of the sector:
 //   h = range                                     where the angle t between n and the axis is at most the half angle H
 //   h = max(0, range cos(t - H))                  else: the cap's rim, or the apex.
-// cos t and sin t are computed separately, because each is exact where the other is not. Lights are taken larger by a
+// cos t and sin t are computed separately, because each is exact where the other is not. Lights are enlarged by a
 // slack: kClusterSlack times the sum of their range and distance.
 
 /// A mask as bits, the first lane's lowest.
@@ -57,14 +57,14 @@ HWY_INLINE V support(D d, V cos_t, V sin_t, V cos_h, V sin_h) {
   return hn::IfThenElse(hn::Ge(cos_t, cos_h), hn::Set(d, 1.0f), rim);
 }
 
-/// Along the normal (across, along) of a plane of columns or rows: the least and the most of a light's points.
+/// The least and the most of a light's points along the normal (across, along) of a plane of columns or rows.
 template <class V>
 struct Span {
   V least;
   V most;
 };
 
-/// side: the light's coordinates along x, y for columns, along y, x for rows.
+/// side  the light's coordinate along x for columns, along y for rows
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Span<V> span_along(D d, V across, V along, V side, V depth, V axis_side, V axis_other, V axis_depth, V range,
                               V cos_h, V sin_h) {
@@ -77,7 +77,7 @@ HWY_INLINE Span<V> span_along(D d, V across, V along, V side, V depth, V axis_si
   return {hn::NegMulAdd(range, least, distance), hn::MulAdd(range, most, distance)};
 }
 
-/// The lights of a block that meet the view's planes, a lane a light.
+/// The lights of a block that meet the view's planes, one per lane.
 struct BlockLights {
   float x[kLightBlock], y[kLightBlock], z[kLightBlock];
   float axis_x[kLightBlock], axis_y[kLightBlock], axis_z[kLightBlock];
@@ -170,8 +170,8 @@ struct OneLight {
   V slack;
 };
 
-/// The parts that a light can be in, of those that planes bound. `beyond(plane, below, above)` says of a vector of
-/// planes in which lanes the light is all below and all above them.
+/// The parts between planes that a light can be in. `beyond(plane, below, above)` tells for a vector of planes in which
+/// lanes the whole light is below, and in which it is above.
 template <class D, class Beyond>
 HWY_INLINE std::uint64_t parts_between(D d, std::size_t parts, const Beyond& beyond) {
   std::uint64_t is_below = 0;  // bit i: of plane i + 1, which is between the parts i and i + 1
@@ -203,8 +203,8 @@ HWY_INLINE std::uint64_t parts_met(D d, const EdgePlanes& edges, const OneLight<
   });
 }
 
-/// A ball that holds all of a light's points between two planes through the eye, moved and shrunk from one that holds
-/// all of its points: to the nearest point between the planes, by Pythagoras.
+/// A ball around all of a light's points between two planes through the eye: the ball around all of its points, moved
+/// to the nearest point between the planes and shrunk by Pythagoras.
 struct Ball {
   float depth;
   float square;  ///< square of the radius; < 0: no ball
@@ -227,8 +227,8 @@ struct Row {
   float high;
 };
 
-/// Whether a plane that touches a light's cone has a cluster on its far side: that of the cone's generator which is
-/// next to the cluster's middle. Half angles up to 90 degrees.
+/// Whether a cluster lies beyond the plane that touches a light's cone along the generator next to the cluster's
+/// centre. Half angles up to 90 degrees.
 ///   n = cos H u - sin H axis, u the unit vector from the axis towards the middle; all points of the cone have n.p <= 0
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_beside_cone(D d, const OneLight<D>& light, const Row& row, V left, V right) {
@@ -243,13 +243,13 @@ HWY_INLINE hn::Mask<D> is_beside_cone(D d, const OneLight<D>& light, const Row& 
     return Vectors<V>{hn::NegMulAdd(along, light.axis.x, v.x), hn::NegMulAdd(along, light.axis.y, v.y),
                       hn::NegMulAdd(along, light.axis.z, v.z)};
   };
-  const Vectors<V> across = across_axis(across_axis(middle));  // once is rounding errors alone near the axis
+  const Vectors<V> across = across_axis(across_axis(middle));  // twice, because near the axis once is only rounding
   const V square = hn::Max(dot(across, across), set(1e-30f));
   const V scale = hn::Div(light.cos_h, hn::Sqrt(square));
   const auto component = [&](V c, V axis) HWY_ATTR { return hn::NegMulAdd(light.sin_h, axis, hn::Mul(scale, c)); };
   const Vectors<V> n{component(across.x, light.axis.x), component(across.y, light.axis.y),
                      component(across.z, light.axis.z)};
-  // The cluster's points are depth times (x, y, 1): its corner that lies least along n.
+  // The cluster's points are depth times (x, y, 1). Takes the corner with the least n.p.
   const V least_x = hn::Min(hn::Mul(n.x, left), hn::Mul(n.x, right));
   const V least_y = hn::Min(hn::Mul(n.y, set(row.low)), hn::Mul(n.y, set(row.high)));
   const V per_depth = hn::Add(hn::Add(least_x, least_y), n.z);

@@ -10,12 +10,12 @@
 
 namespace litfog {
 
-/// Largest number of columns, rows or slices: one bit each fits an integer.
+/// Largest number of columns, rows or slices: one bit each in an integer.
 inline constexpr std::size_t kMaxParts = 64;
 /// Room for the planes around all parts, and for whole vectors from any of these planes.
 using PlaneColumn = std::array<float, 2 * kMaxParts + 1>;
 
-/// The bounds of lights as floats, for the tests, one column a parameter.
+/// The bounds of lights as floats, for the tests, one column per parameter.
 struct LightColumns {
   // Positions are sums of two floats, so that distances from the eye are as exact far from the origin as near it.
   std::vector<float> x, y, z;
@@ -27,7 +27,7 @@ struct LightColumns {
   std::size_t size = 0;
   void resize(std::size_t count);
   void set(std::size_t light, const LightBounds& bounds);
-  /// set() without the sines, where only the range has changed.
+  /// set() without the sines, for a change of the range only.
   void set_range(std::size_t light, double metres);
 };
 
@@ -62,7 +62,7 @@ struct ClusterPlanes {
 /// Depth at which a slice begins and the one before ends, for slices 0 to grid.slices.
 double slice_depth(const ClusterGrid& grid, const View& view, std::uint32_t slice);
 
-/// The clusters of a row that a light is in: bit i of `columns` is column i.
+/// The clusters in a row that a light is in: bit i of `columns` is column i.
 struct ClusterRun {
   std::uint32_t light;
   std::uint32_t row;  ///< slice * rows + row
@@ -71,7 +71,7 @@ struct ClusterRun {
   friend bool operator==(const ClusterRun&, const ClusterRun&) = default;
 };
 
-/// How many lights are tested together.
+/// Number of lights that are tested together.
 inline constexpr std::size_t kLightBlock = 64;
 
 /// Appends the runs of the lights [begin, begin + kLightBlock), in their order.

@@ -24,7 +24,7 @@ void for_each_column(const ClusterRun& run, const Visit& visit) {
   for (std::uint64_t rest = run.columns; rest != 0; rest &= rest - 1) visit(std::size_t(std::countr_zero(rest)));
 }
 
-/// Binary logarithm of the factor by which slices from the second on grow.
+/// Binary logarithm of the factor by which slices grow from the second on.
 double octaves_per_slice(const ClusterGrid& grid, const View& view) {
   return std::log2(view.farthest / grid.first_depth) / (grid.slices - 1);
 }
@@ -49,7 +49,7 @@ double slice_depth(const ClusterGrid& grid, const View& view, std::uint32_t slic
   return grid.first_depth * std::exp2((slice - 1) * octaves_per_slice(grid, view));
 }
 
-/// Everything of the clusters; their public face forwards to the public calls here, which are documented there.
+/// The implementation of LightClusters, which forwards its public calls to the public calls here.
 class LightClusters::Store {
  public:
   explicit Store(const ClusterGrid& grid) : grid_(grid) {
@@ -105,7 +105,7 @@ class LightClusters::Store {
   std::vector<Block> blocks_;
   std::vector<ClusterRun> runs_;  // in the order of their lights
   std::vector<ClusterRun> previous_runs_;
-  std::vector<ClusterRun> first_runs_;  // where each light begins, in each tile of the picture
+  std::vector<ClusterRun> first_runs_;  // each light's first cluster in each tile of the picture
   std::vector<Cluster> clusters_;
   std::vector<Cluster> begins_;       // the lights that begin in a cluster: tile by tile, slices from the eye
   std::vector<std::uint32_t> table_;  // grows only; ends with the light list and that of lights_along()
@@ -122,7 +122,7 @@ void LightClusters::Store::resize(std::size_t count) {
   const std::size_t blocks = (count + kLightBlock - 1) / kLightBlock;
   columns_.resize(count);
   blocks_.reserve(blocks);
-  bounds_.resize(count, {.range = 0});  // the last to need memory: where there is none, nothing has changed
+  bounds_.resize(count, {.range = 0});  // last to need memory: if there is none, nothing has changed
   for (std::size_t light = before; light < count; ++light) columns_.set(light, bounds_[light]);
   blocks_.resize(blocks);
   for (std::size_t block = first_changed; block < blocks_.size(); ++block) blocks_[block].has_changed = true;
@@ -157,7 +157,7 @@ bool LightClusters::Store::update(const View& view) {
   const bool is_first = !has_view_;
   const bool is_new_view = is_first || view != view_;
   if (!is_new_view && !has_changed_) return false;
-  has_view_ = false;  // a call that runs out of memory leaves the lists, and the next one makes them anew
+  has_view_ = false;  // if this call runs out of memory, the next one rebuilds the lists
   find_runs(view, is_new_view);
   const bool are_same = runs_ == previous_runs_;
   if (!are_same || is_first) list_lights();
@@ -189,8 +189,8 @@ void LightClusters::Store::find_runs(const View& view, bool is_new_view) {
   }
 }
 
-/// Keeps of each light's runs, which lie slice by slice from the eye, the columns in which it was in no slice before.
-/// Returns the number of entries of both lists.
+/// Keeps, of each light's runs, the columns in which no nearer slice has the light; runs are ordered by slice from the
+/// eye. Returns the number of entries of both lists.
 std::size_t LightClusters::Store::find_first_runs() {
   std::size_t entries = 0;
   first_runs_.clear();
@@ -257,7 +257,7 @@ void LightClusters::Store::list_lights() {
   }
 }
 
-/// Whether it has changed.
+/// Writes the look-up. Returns whether it has changed.
 bool LightClusters::Store::write_lookup() {
   const ClusterLookup found = lookup();
   const std::array<std::uint32_t, kHeaderWords> words{grid_.columns, grid_.rows, grid_.slices,

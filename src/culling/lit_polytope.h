@@ -20,7 +20,7 @@ using Corners = std::array<glm::dvec3, 8>;
 
 inline constexpr double kPolytopeRounding = 1e-12;  ///< relative rounding of coordinates
 
-/// The spherical sector that a light can light. It is convex if the half angle is at most 90 degrees.
+/// The spherical sector that a light can light, convex if the half angle is at most 90 degrees.
 struct Sector {
   glm::dvec3 apex;
   glm::dvec3 axis;
@@ -34,14 +34,14 @@ struct Sector {
     const double length = glm::length(direction);
     if (along >= length * cos_half_angle) return apex + direction * (range / length);
     const glm::dvec3 rough = direction - axis * along;
-    const glm::dvec3 across = rough - axis * glm::dot(rough, axis);  // near the axis `rough` is rounding errors alone
+    const glm::dvec3 across = rough - axis * glm::dot(rough, axis);  // because near the axis `rough` is only rounding
     const double width = glm::length(across);
     if (along * cos_half_angle + width * sin_half_angle <= 0) return apex;
     const glm::dvec3 outward = width > 0 ? across / width : glm::dvec3(0);
     return apex + range * (cos_half_angle * axis + sin_half_angle * outward);
   }
 
-  /// The sector's point nearest to a point, except for rounding. The half angle must be at most 90 degrees.
+  /// The sector's point nearest to a point, up to rounding. The half angle must be at most 90 degrees.
   glm::dvec3 nearest_to(const glm::dvec3& point) const {
     const glm::dvec3 offset = point - apex;
     const double along = glm::dot(offset, axis);
@@ -131,14 +131,14 @@ class Simplex {
   int size_ = 0;
 };
 
-/// Whether a polytope is within a margin of a convex body: never false where it is. By the algorithm of Gilbert,
-/// Johnson and Keerthi (1988): each step has a proof of separation, a common point, or a smaller distance.
+/// Whether a polytope is within a margin of a convex body. Conservative: never false if it is. By the algorithm of
+/// Gilbert, Johnson and Keerthi (1988): each step finds a proof of separation, a common point, or a smaller distance.
 ///
-/// start     a point of the polytope: the nearer to the body, the fewer steps
+/// start     a point of the polytope; the nearer to the body, the fewer steps
 /// rounding  metres: bodies farther apart than the margin by up to this may count as within it
 template <typename Body>
 bool is_within(const Corners& corners, const glm::dvec3& start, const Body& body, double margin, double rounding) {
-  constexpr int kMaxSteps = 64;  // the bodies then touch, except for rounding
+  constexpr int kMaxSteps = 64;  // then the bodies touch, up to rounding
   Simplex simplex;
   glm::dvec3 apart = start - body.nearest_to(start);  // a difference of points of both bodies
   for (int step = 0; step < kMaxSteps; ++step) {
@@ -155,9 +155,9 @@ bool is_within(const Corners& corners, const glm::dvec3& start, const Body& body
   return true;
 }
 
-/// Whether a light that has passed find_error() can light anything in a polytope that is not all beyond its range:
-/// never false where it can. The corners are at most `size` from the origin. `apex` is the light's position as the
-/// corners are given, which may be from the eye; `start` is that of is_within().
+/// Whether a light that has passed find_error() can light anything in a polytope that is not all beyond its range.
+/// Conservative: never false if it can. The corners are at most `size` from the origin. `apex` is the light's position
+/// in the corners' space, which may be relative to the eye; `start` as in is_within().
 inline bool can_light(const LightBounds& light, const glm::dvec3& apex, const Corners& corners, const glm::dvec3& start,
                       double size) {
   if (light.range == 0) return false;

@@ -14,7 +14,7 @@
 namespace litfog::files {
 namespace {
 
-/// How many insertions, deletions, replacements and swaps of neighbours lead from one word to another (optimal string
+/// The number of insertions, deletions, replacements and swaps of neighbours from one word to another (optimal string
 /// alignment).
 std::size_t slips_between(std::string_view a, std::string_view b) {
   std::vector<std::vector<std::size_t>> slips(a.size() + 1, std::vector<std::size_t>(b.size() + 1));
@@ -37,7 +37,7 @@ std::string percent_text(double percent) { return fmt::format("; {} % is {:.15g}
 }  // namespace
 
 std::string hint_for_word(std::string_view word, const std::vector<std::string_view>& known) {
-  constexpr std::size_t kMaxSize = 40;  // a longer word is no slip, and comparing it takes time
+  constexpr std::size_t kMaxSize = 40;  // longer words are no slips, and slow to compare
   if (word.size() < 3 || word.size() > kMaxSize) return "";
   const std::string typed = lower(word);
   std::string_view nearest;

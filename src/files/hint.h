@@ -14,7 +14,7 @@ namespace litfog::files {
 /// For an unknown word: the known word that begins with it, or else the nearest within a few slips of the keyboard.
 std::string hint_for_word(std::string_view word, const std::vector<std::string_view>& known);
 
-/// For a text that is no number: a percentage as a fraction.
+/// For a text that is not a number: a percentage as a fraction.
 std::string hint_for_number(std::string_view text);
 
 /// For a text in quotation marks that should be a number: the number without them, or the percentage as a fraction.

@@ -33,16 +33,16 @@ struct JsonNode {
   std::size_t name_offset = 0;  ///< members: byte where the name starts
 };
 
-/// A part of a document's text that comes from one place.
+/// A part of a document's text from one source.
 struct JsonSource {
   std::string name;
   std::size_t begin = 0;  ///< byte in the document's text
   bool has_lines = true;  ///< an option of the command line has none
 };
 
-/// The text stays with the tree: a location is a byte offset until a message wants its line and column.
+/// The tree keeps its text: a location is a byte offset until a message needs its line and column.
 struct JsonDocument {
-  std::vector<JsonSource> sources;  ///< by their begins: the file itself, then what with_value() has put into it
+  std::vector<JsonSource> sources;  ///< by their begins: the file itself, then values from with_value()
   std::string text;
   JsonNode root;
 
@@ -51,7 +51,7 @@ struct JsonDocument {
                          std::string_view rule) const {
     throw error(offset, what, value, rule);
   }
-  /// The text from an offset to the end of a number or literal, cut where it is long.
+  /// The text from an offset to the end of a number or literal, cut if long.
   std::string_view word_at(std::size_t offset) const;
 };
 
@@ -65,7 +65,7 @@ constexpr std::string_view kBetweenTokens = " \t\r\n,:";
 constexpr std::string_view kWordEnds = " \t\r\n,:]}";
 constexpr std::string_view kRangeRule = "must be within the range of a double";
 
-/// What an error of RapidJSON is about (a text, a number or a string), and the rule that was broken.
+/// The subject of a RapidJSON error (a text, a number or a string), and the broken rule.
 struct SyntaxRule {
   std::string_view what;
   std::string_view rule;
@@ -112,7 +112,7 @@ SyntaxRule syntax_rule(rapidjson::ParseErrorCode code, std::string_view found) {
   return {"text", "must be JSON"};  // GCOV_EXCL_STOP
 }
 
-/// RapidJSON's own allocator gives null where memory is short, and its reader writes there.
+/// RapidJSON's own allocator returns null if memory is short, and its reader writes there.
 struct ThrowingAllocator : rapidjson::CrtAllocator {
   // The names are RapidJSON's.
   void* Malloc(std::size_t size) { return given(CrtAllocator::Malloc(size), size); }
@@ -127,8 +127,8 @@ struct ThrowingAllocator : rapidjson::CrtAllocator {
   }
 };
 
-/// Builds the tree from RapidJSON's events. nlohmann's, whose library writes JSON here, tell neither where a value begins
-/// nor how a number was written, both of which errors state.
+/// Builds the tree from RapidJSON's events. Errors state where a value begins and how a number was written, which the
+/// events of nlohmann's library, the writer of JSON here, do not tell.
 class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeBuilder> {
  public:
   explicit TreeBuilder(JsonDocument& document)
@@ -185,7 +185,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
   bool EndArray(rapidjson::SizeType) { return close(); }
 
  private:
-  /// Where the token starts whose event this is: behind the last one there is nothing but blanks, a comma or a colon.
+  /// The start of the current event's token: only blanks, a comma or a colon separate it from the last token.
   std::size_t token_offset() const {
     return std::min(document_.text.find_first_not_of(kBetweenTokens, last_token_end_), document_.text.size());
   }
@@ -216,7 +216,7 @@ class TreeBuilder : public rapidjson::BaseReaderHandler<rapidjson::UTF8<>, TreeB
     last_token_end_ = stream_.Tell();
   }
 
-  // The events of brackets come before they are taken from the stream, those of all other tokens after.
+  // Events of brackets precede their reading from the stream; events of all other tokens follow it.
   template <typename Container>
   bool open(Container container) {
     JsonNode& node = add_value(stream_.Tell());
@@ -256,7 +256,7 @@ void TreeBuilder::fail_syntax(rapidjson::ParseErrorCode code, std::size_t offset
   document_.fail(offset, what, quoted_excerpt(word.empty() ? text.substr(offset, 1) : word), rule_and_hint);
 }
 
-/// A value as a message shows it: as written, or its type where that would be long.
+/// A value in a message: as written, or its type if that would be long.
 std::string shown(const JsonDocument& document, const JsonNode& node) {
   if (std::holds_alternative<JsonNode::Array>(node.value)) return "an array";
   if (std::holds_alternative<JsonNode::Object>(node.value)) return "an object";
@@ -413,7 +413,7 @@ class JsonEditor {
         const bool may_append = close + 1 == path.size() && !is_removal;
         node = &item(array, parent, path.substr(0, close + 1), path.substr(end + 1, close - end - 1), may_append);
         end = close + 1;
-        if (end == path.size()) array.offset = begin;  // a rule on all of it that is broken now is the change's
+        if (end == path.size()) array.offset = begin;  // errors of the whole array are then the change's
       } else {
         if (end > 0 && path[end++] != '.') fail_path(path);
         const std::size_t stop = std::min(path.find_first_of(".[", end), path.size());
@@ -484,7 +484,7 @@ class JsonEditor {
 
   /// Appends the text of another document. Returns where it begins.
   std::size_t append(const JsonDocument& other) {
-    document_->text += '\n';  // so that the last word before it ends
+    document_->text += '\n';  // ends the last word before it
     const std::size_t begin = document_->text.size();
     document_->text += other.text;
     for (JsonSource source : other.sources) {
@@ -494,7 +494,7 @@ class JsonEditor {
     return begin;
   }
 
-  /// Puts another document, whose text has been appended, in the place of a value.
+  /// Replaces a value by another document, whose text has been appended.
   static void put(const JsonDocument& other, JsonNode& node, std::size_t begin) {
     const std::size_t name_offset = node.name_offset;
     node = other.root;

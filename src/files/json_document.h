@@ -103,9 +103,9 @@ using FollowLink = std::function<std::optional<JsonValue>(const JsonValue& link)
 /// path    like JsonValue::path(), not empty
 /// value   the root of its document
 /// option  command-line option that errors name instead of a file, even errors of an array with the value as an item
-/// follow  called for a string of which the path names a member; its result replaces the string, and errors in it name
+/// follow  called for a string if the path names a member of it; its result replaces the string, and errors in it name
 ///         its own file
-/// throws  InputError where the path leads nowhere: an array has no such item, a number no members
+/// throws  InputError if the path leads nowhere: an array has no such item, a number no members
 JsonValue with_value(const JsonValue& document, std::string_view path, const JsonValue& value, std::string_view option,
                      const FollowLink& follow = {});
 

@@ -17,15 +17,15 @@ namespace litfog::files {
 /// A light within another file, in which "litfog", "version" and "name" may be left out. Throws InputError.
 Light parse_light(const JsonValue& value);
 
-/// The member "flash" of a light, not checked but for its number of flashes. Throws InputError.
+/// The member "flash" of a light, unchecked except for its number of flashes. Throws InputError.
 Flash parse_flash(const JsonValue& value);
 
-/// Throws what find_error() finds wrong with a light, at the member it came from and in the file's terms.
+/// Throws an error of find_error() for a light, at the member it came from and in the file's terms.
 ///
 /// light  an object with members of a light, which may be of another kind of file
 [[noreturn]] void fail_light(const JsonValue& light, const ValueError& error);
 
-/// The profile that a value names; nothing where it is one of the other words that it may be. Throws InputError.
+/// The profile that a value names; nothing for one of the other allowed words. Throws InputError.
 std::optional<ConeProfile> parse_profile(const JsonValue& value, std::vector<std::string_view> words = {});
 
 /// A cone's parameter as files have it.

@@ -74,7 +74,7 @@ double parse_end_illuminance(const JsonValue& value) {
 }
 
 void parse_end(const JsonValue& value, RangeSpec& range) {
-  std::vector<JsonValue> peaks;  // the members that state it, of which one is enough
+  std::vector<JsonValue> peaks;  // members that state the peak; one is enough
   for (const char* name : {"peak_cd", "illuminance", "flux_lm"}) {
     if (const auto peak = value.optional(name)) peaks.push_back(*peak);
   }
@@ -208,7 +208,7 @@ std::string member_name(std::string_view field) {
   return std::string(found == kNames.end() ? field : found->second);
 }
 
-/// A step on the way to a value: a member, and the item of it if it is an array.
+/// A step of a path to a value: a member, and an item if it is an array.
 struct Step {
   std::string name;  // the file's
   std::optional<std::size_t> index;
@@ -246,7 +246,7 @@ std::string rule_in_degrees(std::string_view rule) {
 }  // namespace files
 
 InputError LightSpec::error_at(std::string_view field, std::string_view value, std::string_view rule) const {
-  files::JsonValue given = text->root;  // the innermost value on the way to the field that the file has
+  files::JsonValue given = text->root;  // the innermost value in the file on the path to the field
   std::string path;                     // path of the field
   bool is_complete = true;
   for (const files::Step& step : files::steps_of(field)) {
@@ -258,7 +258,7 @@ InputError LightSpec::error_at(std::string_view field, std::string_view value, s
   }
   const std::string shown_rule = path.find("_deg") != path.npos ? files::rule_in_degrees(rule) : std::string(rule);
   if (is_complete && !given.is_array()) return given.error(shown_rule);
-  // What a range or a cone lacks is lacking in its samples.
+  // A member that a range or a cone lacks is missing in its samples.
   const bool is_part = given.path() == "range" || given.path() == "cone";
   if (const auto samples = is_part ? given.optional("samples") : std::nullopt) given = *samples;
   return given.error(path, value, shown_rule);

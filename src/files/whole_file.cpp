@@ -35,8 +35,8 @@ bool is_temporary(std::string_view name) {
          name.find_first_not_of("0123456789abcdef", kTemporaryBegin.size()) == name.npos;
 }
 
-/// Returns whether what was written has reached the disk, else errno says why not. A file system that cannot tell does
-/// not fail it.
+/// Returns whether the written data has reached the disk, else errno says why not. A file system that cannot tell
+/// counts as success.
 bool sync(int file) {
   while (fsync(file) != 0) {
     if (errno == EINVAL || errno == ENOSYS || errno == EOPNOTSUPP) return true;
@@ -56,11 +56,11 @@ bool sync_folder(const fs::path& folder) {
   return is_synced;
 }
 
-/// An empty file of a name that nobody can guess. It is removed unless it has taken another's name. While it is open it
-/// is locked, so that remove_stale_temporaries() leaves it alone.
+/// An empty file with an unguessable name. It is removed unless it has been renamed. While open it is locked, so that
+/// remove_stale_temporaries() leaves it alone.
 class TemporaryFile {
  public:
-  /// mode  as of open(): the process's umask applies
+  /// mode  as for open(): the process's umask applies
   TemporaryFile(const fs::path& folder, mode_t mode) {
     do {
       make(folder, mode);
@@ -93,11 +93,11 @@ class TemporaryFile {
   void make(const fs::path& folder, mode_t mode) {
     std::random_device random;
     path_ = (folder / fmt::format("{}{:08x}{:08x}", kTemporaryBegin, random(), random())).string();
-    // O_EXCL: neither a file nor a link that somebody has put there is opened.
+    // O_EXCL: opens neither an existing file nor a link.
     file_ = open(path_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, mode);
   }
-  /// Returns whether the file is there, locked or on a file system without locks. Else another process has taken it for
-  /// a stale one before it was locked, and it is closed.
+  /// Returns whether the file exists, locked or on a file system without locks. Otherwise another process took it for a
+  /// stale file before it was locked, and it is closed.
   bool lock() {
     struct stat status {};
     const bool is_taken = flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;

@@ -14,7 +14,7 @@
 
 namespace litfog {
 
-/// A second-order model of an objective about a point, with bounds of the variables. lower = upper holds a variable.
+/// A second-order model of an objective about a point, with bounds of the variables. lower = upper fixes a variable.
 template <typename Real, std::size_t kSize>
 struct BoundedModel {
   using Variables = std::array<Real, kSize>;
@@ -33,7 +33,7 @@ struct BoundedModel {
 };
 
 /// The free variables, those not at a bound that a descent would cross.
-/// slope  of the objective along the plane, if there is one
+/// slope  the objective's slope, along the plane if there is one
 template <typename Real, std::size_t kSize>
 std::vector<std::size_t> free_variables(const BoundedModel<Real, kSize>& model, const std::array<Real, kSize>& slope) {
   std::vector<std::size_t> free;
@@ -48,7 +48,7 @@ std::vector<std::size_t> free_variables(const BoundedModel<Real, kSize>& model, 
 
 template <typename Real, std::size_t kSize>
 struct ActiveSetStep {
-  std::array<Real, kSize> point;       ///< where the step ends
+  std::array<Real, kSize> point;       ///< the end of the step
   std::optional<std::size_t> blocked;  ///< the variable whose bound ended it early
 };
 
@@ -61,7 +61,7 @@ ActiveSetStep<Real, kSize> active_set_step(const BoundedModel<Real, kSize>& mode
   constexpr int kMost = int(kSize) + 1;
   const auto count = Index(free.size());
   const Index size = count + (model.plane ? 1 : 0);
-  // Each variable in units of its own curvature, so that the rank does not depend on theirs; a last row and column for
+  // Each variable in units of its own curvature, so that the rank does not depend on units; a last row and column for
   // the plane and its multiplier.
   Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost> system(size, size);
   Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, kMost, 1> right(size), unit(count);

@@ -22,12 +22,12 @@ constexpr double kMinRange = 1e-30;
 constexpr double kMaxRange = 1e30;
 constexpr double kMaxFactor = 1e100;
 
-/// Samples out of reach by less than this are left to the fit: figures are seldom given to more digits.
+/// Samples out of reach by less than this are left to the fit, because figures are seldom given to more digits.
 constexpr double kReading = 1e-3;
 
 constexpr std::size_t kMaxDescribed = 3;  // samples out of reach: a sentence, not a table
 
-/// A target of which what lies beyond a limit by a float's rounding is the limit.
+/// Moves values of a target that exceed a limit by a float's rounding to the limit.
 AttenuationTarget at_limits(AttenuationTarget target) {
   target.threshold = snapped(target.threshold, kMinAttenuation, std::numeric_limits<double>::max());
   if (target.extent) target.extent = snapped(*target.extent, kMinRange, kMaxRange);
@@ -88,8 +88,7 @@ Scaled scale(const AttenuationTarget& target) {
   return scaled;
 }
 
-/// Recomputes L or Q, whichever has the larger term at the extent, from the others, so that the extent is exact in
-/// spite of their rounding.
+/// Recomputes L or Q, whichever has the larger term at the extent, so that the extent is exact despite rounding.
 void meet_extent(Attenuation& attenuation, double extent, double threshold) {
   const long double e = extent;
   const long double rest = 1 / static_cast<long double>(threshold) - attenuation.constant;
@@ -158,7 +157,7 @@ void fill_in_residuals(const AttenuationTarget& target, AttenuationFit& fit, con
   fit.rms_error = weights > 0 ? std::sqrt(squares / weights) : 0;
 }
 
-/// The samples that no attenuation with the target's extent and constant meets, in words: those farthest out of reach
+/// Describes the samples that no attenuation with the target's extent and constant meets: those farthest out of reach
 /// by increasing range, and the number of the others. A table's error against its own best attenuation is no
 /// contradiction.
 std::string describe_out_of_reach(const AttenuationTarget& target, const Scaled& scaled) {
@@ -211,7 +210,7 @@ void fit_samples(const AttenuationTarget& target, AttenuationFit& fit) {
   const auto covariance = covariance_of(falloff, found.minimum.coefficients);
   const bool is_one_of_many = falloff.samples.size() < free_count(target) || !covariance;
   if (is_one_of_many && !target.constant) {
-    // If it is there, that with the constant of a lamp whose near brightness is its brightness.
+    // If there is one, the attenuation with the constant 1, at which a lamp's near brightness is its brightness.
     Falloff normalized = falloff;
     normalized.constant = 1;
     const FalloffMinimum other = minimise(normalized).minimum;
@@ -300,7 +299,7 @@ std::optional<TargetError> find_error(const AttenuationTarget& given) {
 }
 
 LightEnd compute_end(double candela, double lux, double threshold) {
-  // (1 / threshold - 1) candela / (kWhiteLux size), whose factors would leave the range of doubles sooner.
+  // (1 / threshold - 1) candela / (kWhiteLux size), in an order that overflows later.
   return {.size = lux / (kWhiteLux * threshold), .extent = std::sqrt(candela / lux) * std::sqrt(1 - threshold)};
 }
 

@@ -47,7 +47,7 @@ Interval reachable_ranges(const AttenuationTarget& target, double attenuation) {
   return {std::min(linear, quadratic), std::max(linear, quadratic)};
 }
 
-/// Rounds up or down to few digits, or to as many as are needed to stay between low and high.
+/// Rounds to few digits, or to as many as needed to stay between low and high.
 std::string format_within(double value, double low, double high, int few = 4) {
   std::array<char, 32> text;
   for (int digits = few; digits < 17; ++digits) {
@@ -58,7 +58,7 @@ std::string format_within(double value, double low, double high, int few = 4) {
           std::to_chars(text.data(), text.data() + text.size(), candidate, std::chars_format::general, digits).ptr;
       double rounded = 0;
       std::from_chars(text.data(), end, rounded);
-      constexpr int kMaxShown = 9;  // beyond which shown_number() rounds
+      constexpr int kMaxShown = 9;  // shown_number() rounds beyond this
       if (!(rounded >= low && rounded <= high)) continue;
       return digits <= kMaxShown ? shown_number(rounded) : std::string(text.data(), end);
     }

@@ -13,12 +13,12 @@ namespace litfog {
 
 /// When a box is examined (Clausen 1999, "Branch and bound algorithms - principles and examples").
 enum class Evaluation {
-  eager,  ///< when it is made. Boxes are split in the order of their own bounds.
-  lazy,   ///< when its turn comes, with its parent's bound until then. For bounds that improve with the best known.
+  eager,  ///< when it is made; boxes are split in the order of their own bounds
+  lazy,   ///< when its turn comes, with its parent's bound until then; for bounds that improve with the best known
 };
 
 struct BranchAndBoundResult {
-  double lower_bound = std::numeric_limits<double>::infinity();  ///< lower bound of the objective in all boxes examined
+  double lower_bound = std::numeric_limits<double>::infinity();  ///< of the objective in all boxes examined
   std::size_t boxes = 0;                                         ///< examined and not empty
   bool is_proven = false;                                        ///< no box is left open
 };
@@ -29,7 +29,7 @@ struct BranchAndBoundResult {
 ///     double examine(Box)       looks for better parameters in the box; returns a lower bound of the objective in it
 ///     bool is_closed(double)    whether no box with this bound can improve enough on the best known
 ///     std::optional<std::array<Box, 2>> split(Box)    nothing if the box is a point
-/// max_boxes  where the search gives up; it may exceed this by one
+/// max_boxes  number at which the search gives up; it may exceed this by one
 template <Evaluation kEvaluation, typename Problem>
 BranchAndBoundResult branch_and_bound(Problem& problem, std::size_t max_boxes) {
   struct Node {

@@ -20,9 +20,9 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kTolerance = 1e-3;  // of the objective: what is promised
-constexpr double kEdgeCost = 4e-4;   // of it: for a cut-off where the beam ends rather than far out
-constexpr double kExact = 1e-20;     // of the fractions' own sum: ten digits of each
+constexpr double kTolerance = 1e-3;  // fraction of the objective; the promised tolerance
+constexpr double kEdgeCost = 4e-4;   // fraction of the objective, paid for a cut-off at the beam's end, not far out
+constexpr double kExact = 1e-20;     // fraction of the fractions' own sum: ten digits of each
 constexpr double kInvisible = 5e-4;  // fraction at which a cut-off does not show: 1.6 of 255 in sRGB
 
 void fill_in_proof(const ConeOptimum& optimum, double exact, ConeProfileFit& fit) {
@@ -54,8 +54,8 @@ ConeProfileFit fit_cosine(const std::vector<ConePoint>& points, const ConeTarget
     half_angle = *target.half_angle;
     range = {half_angle, half_angle};
   } else {
-    // Each further lit sample of a faint spill lowers the objective, even if negligibly: the first cut-off that is
-    // good enough is taken, not the best.
+    // Each additional lit sample of a faint spill lowers the objective, even if negligibly. So the first cut-off that
+    // is good enough is taken, not the best.
     const std::size_t invisible = profile.lit_within(half_angle);
     const double limit = std::max(exact, (1 + kEdgeCost) * optimum.best.objective);
     const std::size_t lit = profile.first_cut(exponent, invisible, limit).value_or(optimum.best.lit);
@@ -99,7 +99,7 @@ ConeProfileFit fit_smoothstep(const std::vector<ConePoint>& points, const ConeTa
   return fit;
 }
 
-/// How a profile is fitted; nothing of one that is not.
+/// The fit of a profile; null for a profile that is not fitted.
 struct ConeFitter {
   ConeProfileFit (*fit)(const std::vector<ConePoint>& points, const ConeTarget& target, double exact) = nullptr;
   std::span<const ConeParameter> parameters = {};
@@ -111,7 +111,7 @@ ConeFitter fitter_of(ConeProfile profile) {
     case ConeProfile::none:
       break;
     case ConeProfile::cosine:
-      return {fit_cosine, parameters.subspan(1)};  // without its half angle, which samples leave open
+      return {fit_cosine, parameters.subspan(1)};  // without the half angle, which samples leave open
     case ConeProfile::smoothstep:
       return {fit_smoothstep, parameters};
   }
@@ -126,7 +126,7 @@ std::vector<ConeProfileFacts> profiles_to_fit(const ConeTarget& target) {
   return profiles;
 }
 
-/// A target of which what lies beyond a limit by a float's rounding is the limit.
+/// Moves values of a target that exceed a limit by a float's rounding to the limit.
 ConeTarget at_limits(ConeTarget target) {
   for (const ConeProfileFacts& facts : profiles_to_fit(target)) {
     if (target.half_angle) target.half_angle = snapped(*target.half_angle, 0, facts.cutoff->most);

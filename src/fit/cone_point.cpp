@@ -22,7 +22,7 @@ std::vector<ConePoint> points_of(const ConeTarget& target) {
 
 namespace {
 
-/// Angle where the points first fall to a fraction of their peak, if they do.
+/// The angle at which the points first fall to a fraction of their peak, if they do.
 std::optional<double> half_angle_of(const std::vector<ConePoint>& points, double fraction) {
   std::vector<AxialSample> profile;
   for (const ConePoint& point : points) profile.push_back({point.angle, point.fraction, 0});

@@ -13,7 +13,7 @@
 
 namespace litfog {
 
-/// The levels at which a beam angle and a field angle are taken.
+/// The levels of a beam angle and a field angle.
 inline constexpr double kBeamLevel = 0.5;
 inline constexpr double kFieldLevel = 0.1;
 
@@ -33,14 +33,14 @@ struct ConePoint {
         weight(weight_given) {}
 
   double loss(double cone) const { return weight * (cone - fraction) * (cone - fraction); }
-  /// The least loss where the cone is between two values.
+  /// The least loss for cones between two values.
   double loss(double least, double most) const { return loss(std::clamp(fraction, least, most)); }
 };
 
 /// A target's samples and stated angles, by increasing angle.
 std::vector<ConePoint> points_of(const ConeTarget& target);
 
-/// The figures of a cone against its target, whatever found it.
+/// The figures of a cone against its target.
 ///
 /// points  points_of(target)
 ConeProfileFit assess(const Cone& cone, const std::vector<ConePoint>& points, const ConeTarget& target);

@@ -11,7 +11,7 @@
 
 #include "fit/branch_and_bound.h"
 
-// The global search for a cone's parameters, whatever its profile. Internal.
+// The global search for a cone's parameters, for any profile. Internal.
 
 namespace litfog {
 
@@ -24,10 +24,10 @@ struct ConeBox {
   ConeParameters most;
 };
 
-/// Where a descent ended.
+/// The end of a descent.
 struct ConeCandidate {
   ConeParameters parameters{};
-  std::size_t lit = 0;  ///< of the cosine cone: the points inside its half angle
+  std::size_t lit = 0;  ///< cosine cone: number of points inside its half angle
   double objective = std::numeric_limits<double>::infinity();
   double kkt_residual = 0;
   std::optional<std::vector<double>> covariance = std::nullopt;
@@ -83,7 +83,7 @@ class ConeSearch {
 
  private:
   static constexpr std::size_t kMaxBoxes = 1'000'000;
-  static constexpr double kGap = 5e-4;  // of the objective: left open by the bounds
+  static constexpr double kGap = 5e-4;  // fraction of the objective that the bounds leave open
 
   const Profile& profile_;
   double exact_;

@@ -29,7 +29,7 @@ struct CosineResidual {
   }
 };
 
-/// The exponent at which the cone is the point's fraction; not a number where rounding would blur it.
+/// The exponent at which the cone equals the point's fraction; NaN if rounding would blur it.
 double own_exponent(const ConePoint& point) {
   constexpr double kPlain = 1e-6;  // smallest magnitude of a logarithm
   const bool is_plain = point.cosine > 0 && std::log(point.cosine) < 0 && std::abs(std::log(point.fraction)) > kPlain;
@@ -85,8 +85,8 @@ std::span<const double> CosineProfile::kept_powers(double exponent) const {
 /// With F the objective for some cut, m the box's middle, q = cos^S of a point and f its fraction,
 ///     F(S) >= F(m) - (distance from m to the box's end) * (steepest descent of F from m to there),
 ///     -dF/dS = sum of 2 weight (-ln cos) h(q),  h(q) = q (q - f),
-/// where h is least at f / 2 and largest at an end of its range. Near a minimum that misses F by the square of the
-/// width, the bound by each point alone by the width. It takes the powers that objective() has kept.
+/// where h is least at f / 2 and largest at an end of its range. Near a minimum this bound misses F by the square of
+/// the width; a bound by each point alone misses it by the width. Uses the powers that objective() has kept.
 double CosineProfile::bound(const ConeBox& box, double) const {
   const double most_exponent = exponent_of(box.least[0]), least_exponent = exponent_of(box.most[0]);
   const double middle = exponent_of((*start(box))[0]);
@@ -97,8 +97,8 @@ double CosineProfile::bound(const ConeBox& box, double) const {
   };
   const auto least_at = powers_at(most_exponent), most_at = powers_at(least_exponent);
   const auto least_loss = [&](std::size_t i) {
-    // Which end is nearer to the fraction is mostly known without the powers.
-    constexpr double kMargin = 1e-6;  // wide of rounding
+    // Mostly the end nearer to the fraction is known without the powers.
+    constexpr double kMargin = 1e-6;  // well above rounding
     const double below = own_exponents_[i] * (1 - kMargin), above = own_exponents_[i] * (1 + kMargin);
     if (least_exponent > above) return points_[i].loss(most_at(i));
     if (most_exponent < below) return points_[i].loss(least_at(i));
@@ -108,7 +108,7 @@ double CosineProfile::bound(const ConeBox& box, double) const {
   const std::span<const double> middles =
       std::isfinite(most_exponent) ? kept_powers(middle) : std::span<const double>();
   double middle_loss = 0;
-  double towards_least = 0, towards_most = 0;  // descents of the objective, at most
+  double towards_least = 0, towards_most = 0;  // upper bounds of the objective's descents
   std::size_t known = 0;                       // number of points with known middles
   const auto lit_loss = [&](std::size_t i) {
     if (i < middles.size()) {
@@ -134,7 +134,7 @@ double CosineProfile::bound(const ConeBox& box, double) const {
 ConeCandidate CosineProfile::descend(const ConeParameters& start, std::size_t& iterations) const {
   ConeCandidate candidate;
   candidate.parameters = {exponent_of(start[0]), 0};
-  // A round's cut is the best for the exponent of the round before.
+  // A round's cut is the best for the previous round's exponent.
   for (int round = 0; round < kMaxRounds; ++round) {
     const auto [lit, objective] = best_cut_at(candidate.parameters[0]);
     const bool is_settled = lit == candidate.lit && round > 0;

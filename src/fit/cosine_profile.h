@@ -14,9 +14,9 @@
 
 namespace litfog {
 
-/// cos^S u for u < H, as a profile of ConeSearch. Which points are lit depends on H alone, and the best of these for an
-/// S is found by one pass over the points, so the search is over S alone. Its parameter is 1 / (1 + S m), m = -ln cos u
-/// of a typical point, in [0, 1].
+/// cos^S u for u < H, as a profile of ConeSearch. H alone decides which points are lit, and one pass over the points
+/// finds the best choice for an S, so the search is over S alone. Its parameter is 1 / (1 + S m), m = -ln cos u of a
+/// typical point, in [0, 1].
 class CosineProfile {
  public:
   /// points      must outlive the profile
@@ -30,7 +30,7 @@ class CosineProfile {
   /// The candidate's parameters are the exponent and 0.
   ConeCandidate descend(const ConeParameters& start, std::size_t& iterations) const;
 
-  /// How many points are inside an angle.
+  /// The number of points inside an angle.
   std::size_t lit_within(double angle) const;
   /// The smallest number of lit points, at least `least_lit` and at most the best one for the exponent, whose objective
   /// is within a limit.
@@ -53,16 +53,16 @@ class CosineProfile {
   template <typename Loss>
   Cut best_cut(const Loss& lit_loss_of) const;
   Cut best_cut_at(double exponent) const;
-  /// cos^S of the first points, as kept by objective().
+  /// cos^S of the first points, kept by objective().
   std::span<const double> kept_powers(double exponent) const;
 
   const std::vector<ConePoint>& points_;
   std::vector<std::size_t> cuts_;  // possible numbers of lit points, increasing
   std::vector<double> own_exponents_;
   std::vector<double> falls_;  // -ln cos of each point; NaN beyond 90 degrees
-  /// cos^S of the first points, by S of earlier calls of objective(): each S later bounds two boxes.
+  /// cos^S of the first points, by S, from earlier calls of objective(): each S later bounds two boxes.
   mutable std::unordered_map<double, std::vector<double>> powers_;
-  std::vector<double> dark_losses_;  // sums over the points from each on, then 0
+  std::vector<double> dark_losses_;  // sums over all points from each point on, then 0
   double fall_ = 1;
 };
 

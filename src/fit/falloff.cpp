@@ -10,7 +10,7 @@
 namespace litfog {
 namespace {
 
-/// What the coefficients do to the denominator at x.
+/// The derivatives of the denominator at x by the coefficients.
 template <typename Real>
 std::array<Real, 3> powers(Real x) {
   return {Real(1), x, x * x};
@@ -20,17 +20,16 @@ std::vector<std::size_t> free_coefficients(const Falloff& falloff) {
   return falloff.constant ? std::vector<std::size_t>{1, 2} : std::vector<std::size_t>{0, 1, 2};
 }
 
-/// What the free coefficients' terms must add up to at the end.
+/// The required sum of the free coefficients' terms at the end.
 long double rest_at_end(const Falloff& falloff) { return falloff.end->top - falloff.constant.value_or(0); }
 
-/// How the terms bend in the objective to second order.
+/// The curvature of the terms in the second-order model.
 enum class Bend {
-  own,     ///< as they do
-  upward,  ///< at least by an eighth of what Gauss and Newton's method takes, so that it has a minimum
+  own,     ///< their own
+  upward,  ///< at least an eighth of the Gauss-Newton method's, so that there is a minimum
 };
 
-/// The objective to second order in the coefficients, and what its slopes would be if all residuals were 1 with the
-/// same sign.
+/// The objective to second order in the coefficients, and its slopes if all residuals were 1 with the same sign.
 template <typename Real>
 struct Slopes {
   Real objective = 0;
@@ -68,18 +67,18 @@ Slopes<Real> slopes_at(const Falloff& falloff, const std::array<Real, 3>& q, Ben
   return result;
 }
 
-/// C at its bound.
+/// Whether C is at its bound.
 template <typename Real>
 bool is_at_limit(const Falloff& falloff, const std::array<Real, 3>& q, std::size_t j) {
   return j == 0 && falloff.end && q[0] >= Real(falloff.largest_constant());
 }
 
-/// The slopes minus what the end takes up: 0 for each coefficient that is free to move.
+/// Subtracts the end's part from the slopes: 0 for each coefficient that is free to move.
 template <typename Real>
 void project_onto_end(const Falloff& falloff, const std::array<Real, 3>& q, std::array<Real, 3>& slope) {
   if (!falloff.end) return;
   const auto power = powers(Real(falloff.end->x));
-  // The multiplier in the mean of the terms at the end, weighted by its fraction of them.
+  // The multiplier: a mean over the coefficients, weighted by their terms' fractions at the end.
   Real sum = 0, weight = 0;
   for (const std::size_t j : free_coefficients(falloff)) {
     if (is_at_limit(falloff, q, j)) continue;  // held at its own bound
@@ -124,9 +123,9 @@ BoundedModel<Real, 3> model_at(const Falloff& falloff, const std::array<Real, 3>
   return model;
 }
 
-/// A step towards the minimum of what the objective is to second order.
+/// A step towards the minimum of the second-order model.
 ///
-/// damping   by which fraction the coefficients' own curvatures are raised (Marquardt), which shortens the step
+/// damping   fraction by which the coefficients' own curvatures are raised (Marquardt), which shortens the step
 /// releases  whether coefficients may leave their bounds
 template <typename Real>
 ActiveSetStep<Real, 3> newton_step(const Falloff& falloff, const std::array<Real, 3>& q, const Slopes<Real>& at,
@@ -146,7 +145,7 @@ ActiveSetStep<Real, 3> newton_step(const Falloff& falloff, const std::array<Real
   return step;
 }
 
-/// The start with C within its bound; L and Q take what it gives up.
+/// The start with C within its bound; L and Q take up the difference.
 Coefficients within_bounds(const Falloff& falloff, Coefficients q) {
   if (!falloff.end || falloff.constant || q[0] <= falloff.largest_constant()) return q;
   const auto power = powers(falloff.end->x);
@@ -157,10 +156,10 @@ Coefficients within_bounds(const Falloff& falloff, Coefficients q) {
   return {q[0], q[1] * wanted / rest, q[2] * wanted / rest};
 }
 
-/// Newton steps in extended precision, as long as they bring the slopes nearer to 0 and the objective does not rise.
+/// Newton steps in extended precision, as long as slopes come nearer to 0 and the objective does not rise.
 FalloffMinimum refine(const Falloff& falloff, FalloffMinimum minimum) {
   using Real = long double;
-  constexpr double kRounding = 1e-16;  // slopes up to this make no coefficient leave its bound
+  constexpr double kRounding = 1e-16;  // slopes up to this release no coefficient from its bound
   const auto& start = minimum.coefficients;
   std::array<Real, 3> q{start[0], start[1], start[2]};
   Slopes<Real> at = slopes_at(falloff, q);
@@ -220,7 +219,7 @@ Coefficients linear_start(const Falloff& falloff) {
     normal += weight * row * row.transpose();
     right += weight * (1 - a * falloff.constant.value_or(0)) * row;
   }
-  // Every set of coefficients that are not 0; the best whose least squares are positive is the constrained optimum.
+  // Tries every set of nonzero coefficients; the best one with positive least squares is the constrained optimum.
   Coefficients best{falloff.constant.value_or(0), 0, 0};
   double best_value = falloff.end ? std::numeric_limits<double>::infinity() : 0;
   for (unsigned set = 1; set < 8; ++set) {
@@ -261,7 +260,7 @@ FalloffMinimum approach(const Falloff& falloff, const Coefficients& start, doubl
   auto& q = minimum.coefficients;
   Slopes<double> at = slopes_at(falloff, q, Bend::upward);
   double damping = 0;
-  bool releases = false;  // not before the others are at a minimum: of several minima, that with more zeros
+  bool releases = false;  // until the others are at a minimum, to find the minimum with more zeros
   while (damping < kMaxDamping && std::isfinite(at.objective)) {
     const auto [next, blocked] = newton_step(falloff, q, at, damping, releases);
     const Slopes<double> at_next = slopes_at(falloff, next, Bend::upward);
@@ -283,7 +282,7 @@ FalloffMinimum approach(const Falloff& falloff, const Coefficients& start, doubl
 }
 
 FalloffMinimum descend(const Falloff& falloff, const Coefficients& start) {
-  constexpr double kTolerance = 1e-14;  // from here on Newton steps converge without damping
+  constexpr double kTolerance = 1e-14;  // below this, Newton steps converge without damping
   return refine(falloff, approach(falloff, start, kTolerance));
 }
 
@@ -296,7 +295,7 @@ std::optional<std::array<double, 9>> covariance_of(const Falloff& falloff, const
     const bool is_held = q[j] == 0 ? at.slope[j] > kRounding * at.scale[j] : is_at_limit(falloff, q, j);
     if (!is_held) free.push_back(Eigen::Index(j));
   }
-  // In which directions they can move: with an end, each against the one whose term is largest there.
+  // The directions in which they can move: with an end, each against the one whose term is largest there.
   Eigen::Matrix3Xd directions = Eigen::Matrix3d::Identity()(Eigen::all, free);
   if (falloff.end && !free.empty()) {
     const auto power = powers(falloff.end->x);

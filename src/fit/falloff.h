@@ -19,7 +19,7 @@ using Coefficients = std::array<double, 3>;
 inline double denominator(const Coefficients& q, double x) { return q[0] + x * (q[1] + x * q[2]); }
 
 /// The cost of a residual z: z^2, but linear beyond the scale s. (Soft L1; s = infinity is plain least squares. Even,
-/// and with one inflection as a function of the denominator, so that the search below needs to know no other.)
+/// and with a single inflection as a function of the denominator, on which the search relies.)
 class Loss {
  public:
   explicit Loss(double scale = std::numeric_limits<double>::infinity());
@@ -40,7 +40,7 @@ class Loss {
     const Real s = stretch(z);
     return 2 / (s * s * s);
   }
-  /// Derivative of sqrt(value) by |z|: 1 where value is z^2.
+  /// Derivative of sqrt(value) by |z|; 1 if value is z^2.
   double root_slope(double z) const {
     const double s = stretch(z);
     return std::sqrt((1 + s) / 2) / s;
@@ -63,7 +63,7 @@ class Loss {
   double convex_limit_;
 };
 
-/// Upper bound of C, as a fraction of 1/threshold, where an extent is given.
+/// Upper bound of C, as a fraction of 1/threshold, if an extent is given.
 inline constexpr double kMaxConstantFraction = 1 - 0x1p-20;
 
 /// Minimise sum w loss(y - ln max(1, D)), D = q0 + q1 x + q2 x^2, over q >= 0.
@@ -87,7 +87,7 @@ struct Falloff {
   bool is_clamped = true;
 
   double weight_sum() const;
-  /// An objective of rounding alone: residuals of 1e-12.
+  /// The objective of mere rounding: residuals of 1e-12.
   double negligible() const { return 1e-24 * weight_sum(); }
   double objective(const Coefficients& q) const;
   /// Largest C that leaves an extent; only with an end and without a constant.
@@ -98,7 +98,7 @@ struct Falloff {
   bool is_level(Real d, const Sample& sample) const {
     return (is_clamped || sample.y == 0) && (sample.y > 0 ? d < 1 : d <= 1);
   }
-  /// ln of the attenuation minus that of the sample.
+  /// ln of the attenuation minus the sample's.
   double residual(const Coefficients& q, const Sample& sample) const {
     const double d = denominator(q, sample.x);
     return double(sample.y) - (is_level(d, sample) ? 0 : std::log(d));
@@ -125,12 +125,12 @@ FalloffMinimum approach(const Falloff& falloff, const Coefficients& start, doubl
 FalloffMinimum descend(const Falloff& falloff, const Coefficients& start);
 
 /// Covariance of the coefficients at a minimum, row by row, with the residuals' own variance; 0 for coefficients that a
-/// bound holds against a slope. Absent where the samples do not identify the others: a rank below their count at the
+/// bound holds against a slope. Nothing if the samples do not identify the others: a rank below their count at the
 /// working precision, or no residual to spare.
 std::optional<std::array<double, 9>> covariance_of(const Falloff& falloff, const Coefficients& q);
 
-/// Largest violation of the conditions of optimality. A coefficient's slope is divided by what it would be if all
-/// residuals were 1 to one side.
+/// Largest violation of the optimality conditions. A coefficient's slope is divided by its value for residuals that are
+/// all 1 with the same sign.
 double kkt_residual(const Falloff& falloff, const Coefficients& q);
 
 /// A minimum, and how far it is known to be global.

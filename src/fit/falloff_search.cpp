@@ -57,13 +57,13 @@ constexpr double kRounding = 1e-13;  ///< by which bounds on D are widened
 constexpr std::size_t kMaxEffort = 5'000'000;
 constexpr std::size_t kBoxEffort = 10;
 
-/// Below this D a dark sample's term is taken as its value at 0, without a slope.
+/// Below this D a dark sample's term counts as its value at 0, without a slope.
 constexpr double kMinSmooth = 1e-6;
 
 /// Steps from the reference, as fractions of its D, below which h loses digits: from here on it has twelve.
 constexpr double kMinStep = 0.1;
 
-/// Relative tolerance of the objective for a reference that is no minimum: its slope weakens the bounds only a little.
+/// Relative tolerance of the objective for a reference that is not a minimum: its slope hardly weakens the bounds.
 constexpr double kReferenceTolerance = 1e-8;
 
 /// A number of held samples gets a descent of its own when it has more open boxes than this: it costs as much.
@@ -83,7 +83,7 @@ using Box = std::array<Interval, 3>;
 Coefficients low_corner(const Box& box) { return {box[0].low, box[1].low, box[2].low}; }
 Coefficients high_corner(const Box& box) { return {box[0].high, box[1].high, box[2].high}; }
 
-/// value + slope D, nowhere above a term.
+/// value + slope D, a lower bound of a term.
 struct Line {
   double value;
   double slope;
@@ -104,7 +104,7 @@ struct Plane {
 
 using Matrix = Eigen::Matrix3d;
 
-/// A minimum below this improves on the best known by more than the gap that is left open and rounding.
+/// A minimum below this improves on the best known by more than the open gap and rounding.
 double wanted_objective(const Falloff& falloff, const FalloffMinimum& best) {
   return best.objective - std::max(kGap * best.objective, falloff.negligible());
 }
@@ -112,7 +112,7 @@ double wanted_objective(const Falloff& falloff, const FalloffMinimum& best) {
 /// The search with the first samples held by the clamp: a problem for branch_and_bound.
 class HeldSearch {
  public:
-  /// held_cost  what the held samples cost, together
+  /// held_cost  total cost of the held samples
   HeldSearch(const Falloff& falloff, std::size_t held_count, double held_cost, FalloffMinimum& best)
       : falloff_(falloff), held_count_(held_count), held_cost_(held_cost), best_(best) {
     for (const auto& [x, y, weight] : falloff.samples)
@@ -130,7 +130,7 @@ class HeldSearch {
 
   bool is_closed(double bound) const { return bound > wanted_objective(falloff_, best_); }
 
-  /// Shrinks the box to where each D is within its bounds. Once: what a second pass removes the next box's first does.
+  /// Shrinks the box until each D is within its bounds, in one pass: a second pass is left to the next box.
   bool contract(Box& box) const {
     for (const Term& term : terms_) {
       if (!contract(box, term.powers, term.d)) return false;
@@ -151,7 +151,8 @@ class HeldSearch {
     return bound;
   }
 
-  /// Along the coefficient that changes some D the most, relative to its size; below 1 the clamp hides all changes.
+  /// Splits the box along the coefficient that changes some D the most, relative to its size; below 1 the clamp hides
+  /// all changes.
   std::optional<std::array<Box, 2>> split(const Box& box) const {
     const Coefficients point = middle(box);
     Coefficients change{};
@@ -168,7 +169,7 @@ class HeldSearch {
     double at = (low + high) / 2;
     if (low > 0 && high > 8 * low) at = std::sqrt(low) * std::sqrt(high);
     if (low == 0) at = high / 8;
-    if (!(at > low && at < high)) return std::nullopt;  // neighbouring numbers
+    if (!(at > low && at < high)) return std::nullopt;  // neighbouring floating-point numbers
     std::array<Box, 2> halves{box, box};
     halves[0][widest].high = halves[1][widest].low = at;
     return halves;
@@ -186,12 +187,12 @@ class HeldSearch {
     double x;
     Powers powers;
     double y, weight;
-    Interval d;                           ///< where the objective can be better than the best known
+    Interval d;                           ///< in which the objective can be better than the best known
     double reference_d, log_reference_d;  ///< D of the reference
     Line tangent;                         ///< there; of a held sample, a line that is at most 0 up to D = 1
   };
 
-  /// Where a term's D lies in a box.
+  /// The range of a term's D in a box.
   struct Range {
     Interval d, log_d;
   };
@@ -209,7 +210,7 @@ class HeldSearch {
   bool is_held(std::size_t i) const { return i < held_count_ && terms_[i].y > 0; }
 
   double cost(const Term& term, double log_d) const { return term.weight * falloff_.loss.value(log_d - term.y); }
-  /// The term's minimum where D is in a range.
+  /// The term's minimum for D in a range.
   double least_cost(const Term& term, const Range& range) const {
     const double log_d = std::clamp(term.y, range.log_d.low, range.log_d.high);
     return cost(term, term.y == 0 ? std::max(0.0, log_d) : log_d);
@@ -221,7 +222,7 @@ class HeldSearch {
   }
   bool is_convex_to(const Term& term, double log_d) const { return log_d <= term.y + falloff_.loss.convex_limit(); }
 
-  /// What depends on the best known minimum.
+  /// Recomputes all that depends on the best known minimum.
   void restart() {
     bound_denominators();
     refer_to(best_.coefficients);
@@ -295,7 +296,7 @@ class HeldSearch {
   static bool contract(Box& box, const Powers& x, const Interval& d) {
     for (std::size_t j = 0; j < 3; ++j) {
       if (!(x.power[j] > 0)) continue;
-      double low = 0, high = 0;  // what the others add up to
+      double low = 0, high = 0;  // sums of the others
       for (std::size_t k = 0; k < 3; ++k) {
         if (k == j || !(x.power[k] > 0)) continue;
         low += x.power[k] * box[k].low;
@@ -312,7 +313,7 @@ class HeldSearch {
     return true;
   }
 
-  /// A point in the box that meets the end.
+  /// A point in the box on the end's plane.
   Coefficients middle(const Box& box) const {
     double fraction = 0.5;
     if (falloff_.end) {
@@ -326,7 +327,7 @@ class HeldSearch {
     return point;
   }
 
-  /// Lower bound of the objective without the held samples' cost.
+  /// Lower bound of the objective minus the held samples' cost.
   double lower_bound(const Box& box) {
     const Coefficients low = low_corner(box), high = high_corner(box), point = middle(box);
     for (std::size_t i = 0; i < terms_.size(); ++i) {
@@ -349,8 +350,8 @@ class HeldSearch {
     return bound;
   }
 
-  /// Whether all terms are convex in the box and from there to the reference: then the lines are tangents, and no
-  /// curvature takes anything from them.
+  /// Whether all terms are convex in the box and from there to the reference. Then the lines are tangents, and
+  /// curvature cannot lower the bound.
   bool is_convex() const {
     for (std::size_t i = 0; i < terms_.size(); ++i) {
       const double most = std::max(ranges_[i].log_d.high, terms_[i].log_reference_d);
@@ -405,7 +406,7 @@ class HeldSearch {
   }
 
   /// A line below a term in its range: the tangent at a point, at its low end, or the chord. A tangent to the convex
-  /// part is below all of the term if it is so at the high end; where the one at the low end is not, the chord is.
+  /// part is below the whole term if it is so at the high end; if the tangent at the low end is not, the chord is.
   Line line_below(const Term& term, const Range& range, double point) const {
     const Interval d = range.d, log_d = range.log_d;
     const bool is_convex = is_convex_to(term, log_d.high);
@@ -425,7 +426,7 @@ class HeldSearch {
     return {at_low - slope * d.low, slope};
   }
 
-  /// A lower bound of h of inequality 2, about the reference, where a term's D is in a range.
+  /// A lower bound of h of inequality 2, about the reference, for a term's D in a range.
   double least_curvature(const Term& term, const Range& range) const {
     const double r = term.reference_d, z = term.log_reference_d - term.y;
     for (const bool is_high : {true, false}) {
@@ -477,14 +478,14 @@ class HeldSearch {
     return 1.5 * std::min(0.0, smallest);  // half, times the squared length of at most 3
   }
 
-  /// The smallest value of a linear function on the box, where it meets the end.
+  /// The smallest value of a linear function on the box, on the end's plane.
   double smallest_of(const Coefficients& slope, const Box& box) const {
     if (!falloff_.end) {
       double value = 0;
       for (std::size_t j = 0; j < 3; ++j) value += slope[j] * (slope[j] > 0 ? box[j].low : box[j].high);
       return value;
     }
-    // From the low corner up to the end, first along what costs least for what it adds there.
+    // From the low corner up to the end, first along the coefficient of least cost per rise there.
     const double e = falloff_.end->x;
     const Coefficients power{1, e, e * e};
     std::array<std::size_t, 3> order{0, 1, 2};
@@ -508,9 +509,9 @@ class HeldSearch {
   double held_cost_;
   FalloffMinimum& best_;
   std::vector<Term> terms_;
-  std::vector<Range> ranges_;  ///< one a term that is not held, in the current box
+  std::vector<Range> ranges_;  ///< one per term that is not held, in the current box
   Coefficients reference_{};
-  bool is_reference_smooth_ = false;  ///< each term has a tangent there
+  bool is_reference_smooth_ = false;  ///< each term has a tangent at the reference
   bool has_own_reference_ = false;    ///< other than the best known minimum
   std::size_t boxes_left_ = 0;        ///< open after the first bound
 };

@@ -16,7 +16,7 @@ using Vector = Eigen::VectorXd;
 
 bool is_finite(double x) { return std::isfinite(x); }
 
-/// The problem as Ceres asks for it.
+/// The problem as a Ceres cost function.
 class CostFunction final : public ceres::CostFunction {
  public:
   CostFunction(const LeastSquaresProblem& problem, std::size_t parameter_count)
@@ -40,7 +40,7 @@ class CostFunction final : public ceres::CostFunction {
   std::size_t parameter_count_;
 };
 
-/// What is known of the problem at some parameters.
+/// The problem at some parameters.
 struct Iterate {
   Vector parameters;
   Vector residuals;
@@ -49,7 +49,7 @@ struct Iterate {
   Vector step;                ///< Gauss-Newton step in the free parameters
   double projection = 0;      ///< norm of the residuals projected onto the free columns of the Jacobian
   double gradient = 0;
-  double relative_step = 0;  ///< both in what they do to the residuals
+  double relative_step = 0;  ///< both by their effect on the residuals
   bool has_full_rank = false;
   Matrix covariance;  ///< without the factor of the variance
 
@@ -68,8 +68,8 @@ bool is_at_upper(const LeastSquaresProblem& problem, const Vector& parameters, I
   return at < problem.upper.size() && parameters[i] >= problem.upper[at];
 }
 
-/// Which parameters are free, and the linear least squares in them. Columns are brought to one length first: the
-/// rank must not depend on the parameters' units.
+/// Finds the free parameters, and the linear least squares in them. Columns are normalised first, because the rank must
+/// not depend on the parameters' units.
 void solve_linear(const LeastSquaresProblem& problem, Iterate& iterate) {
   const Vector slope = iterate.jacobian.transpose() * iterate.residuals;
   std::vector<Index> free;
@@ -126,7 +126,7 @@ void solve_linear(const LeastSquaresProblem& problem, Iterate& iterate) {
   }
 }
 
-/// The iterate, or nothing where the model has no finite value and slope.
+/// The iterate, or nothing if the model has no finite value and slope.
 std::optional<Iterate> evaluate(const LeastSquaresProblem& problem, const Vector& parameters) {
   Iterate iterate;
   iterate.parameters = parameters;
@@ -141,7 +141,7 @@ std::optional<Iterate> evaluate(const LeastSquaresProblem& problem, const Vector
   return iterate;
 }
 
-/// Where a fraction of the step leads, within the bounds.
+/// The parameters after a fraction of the step, within the bounds.
 Vector stepped(const LeastSquaresProblem& problem, const Iterate& iterate, double fraction) {
   Vector parameters = iterate.parameters + fraction * iterate.step;
   for (std::size_t k = 0; k < problem.lower.size(); ++k) {
@@ -153,8 +153,8 @@ Vector stepped(const LeastSquaresProblem& problem, const Iterate& iterate, doubl
   return parameters;
 }
 
-/// Gauss-Newton, with each step halved until the objective falls, down to where it hardly does. Nothing where no step
-/// lets it fall.
+/// Gauss-Newton, with each step halved until the objective falls, until it hardly falls. Nothing if no step lets it
+/// fall.
 std::optional<Iterate> approach(const LeastSquaresProblem& problem, Iterate iterate, std::size_t& iterations) {
   constexpr int kMaxSteps = 100, kMaxHalvings = 12;
   constexpr double kHardly = 1e-6;
@@ -175,7 +175,7 @@ std::optional<Iterate> approach(const LeastSquaresProblem& problem, Iterate iter
 }
 
 /// Gauss-Newton to the last digits. Near the optimum the slope still distinguishes two iterates when the objective no
-/// longer does: a descent that asks for a smaller objective, as approach() and Ceres do, stops with half the digits.
+/// longer does. A descent that needs a smaller objective, like approach() and Ceres, stops with half the digits.
 Iterate polish(const LeastSquaresProblem& problem, Iterate iterate, std::size_t& iterations) {
   for (int i = 0; i < 60; ++i) {
     auto next = evaluate(problem, stepped(problem, iterate, 1));
@@ -188,7 +188,7 @@ Iterate polish(const LeastSquaresProblem& problem, Iterate iterate, std::size_t&
   return iterate;
 }
 
-/// Where Ceres ends when it starts there, polished; nothing where the model has no value there.
+/// The end of Ceres's descent from some parameters, polished; nothing if the model has no value there.
 std::optional<Iterate> descend(const LeastSquaresProblem& problem, Vector parameters,
                                const ceres::Solver::Options& options, std::size_t& iterations) {
   CostFunction cost(problem, std::size_t(parameters.size()));
@@ -226,8 +226,8 @@ ceres::Solver::Options solver_options() {
   return options;
 }
 
-/// A wide trust region takes long steps and may leap onto a plateau far away; a narrow one creeps down the slope that
-/// it starts on, and may end in the first hollow.
+/// A wide trust region takes long steps and may leap onto a plateau far away; a narrow one creeps down its first slope,
+/// and may end in the first hollow.
 std::vector<ceres::Solver::Options> strategies(Descent descent) {
   std::vector<ceres::Solver::Options> result{solver_options()};
   if (descent == Descent::one) {

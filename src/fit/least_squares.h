@@ -16,7 +16,7 @@
 namespace litfog {
 
 /// Computes residuals at the parameters and, if the jacobian is not empty, their derivatives, one row a residual.
-/// Returns false where the model has no value: no descent goes there.
+/// Returns false if the model has no value: no descent goes there.
 using ResidualFunction =
     std::function<bool(std::span<const double> parameters, std::span<double> residuals, std::span<double> jacobian)>;
 
@@ -24,18 +24,18 @@ using ResidualFunction =
 struct LeastSquaresProblem {
   std::size_t residual_count = 0;  ///< >= 1
   ResidualFunction evaluate = {};
-  std::vector<double> lower = {};  ///< a bound a parameter, -infinity for none; empty: no bounds
+  std::vector<double> lower = {};  ///< one bound per parameter, -infinity for none; empty: no bounds
   std::vector<double> upper = {};
 };
 
 enum class Descent {
-  one,      ///< Gauss-Newton, or Levenberg-Marquardt where that stalls: if a local optimum is enough
-  several,  ///< the best of what different trust regions find, for starts that may be far off
+  one,      ///< Gauss-Newton, or Levenberg-Marquardt if that stalls: if a local optimum is enough
+  several,  ///< the best result of different trust regions, for starts that may be far off
 };
 
 enum class LeastSquaresStatus {
   converged,  ///< gradient at most 1e-6, or the next step would change the parameters by less than 1e-10 of themselves
-  stalled,    ///< no descent got further, but `converged` does not hold: the parameters are the best found
+  stalled,    ///< no descent got farther, but `converged` does not hold: the parameters are the best found
   undefined,  ///< the model has no value at the start: the parameters are the start
 };
 
@@ -43,16 +43,16 @@ struct LeastSquaresFit {
   std::vector<double> parameters = {};
   double objective = 0;  ///< 0.5 * sum of squared residuals
   double gradient = 0;   ///< largest |cosine| between the residuals and the effect of a parameter that is free to move;
-                         ///< says nothing of residuals that are but rounding
+                         ///< meaningless for residuals of mere rounding
   std::size_t iterations = 0;
   LeastSquaresStatus status = LeastSquaresStatus::undefined;
-  /// Covariance of the parameters, row by row, with the residuals' own variance; 0 for parameters at a bound. Absent
-  /// where the data do not identify the parameters: a rank below the count of free parameters at the working precision,
-  /// or no residual to spare.
+  /// Covariance of the parameters, row by row, with the residuals' own variance; 0 for parameters at a bound. Nothing
+  /// if the data do not identify the parameters: a rank below the count of free parameters at the working precision, or
+  /// no residual to spare.
   std::optional<std::vector<double>> covariance = std::nullopt;
 };
 
-/// start  one value a parameter, at least one, within the bounds
+/// start  one value per parameter, at least one, within the bounds
 LeastSquaresFit fit_least_squares(const LeastSquaresProblem& problem, std::span<const double> start,
                                   Descent descent = Descent::several);
 

@@ -12,8 +12,8 @@
 namespace litfog {
 namespace {
 
-/// The error is a difference of fractions, as CosineResidual's. The formula sees differences of cosines alone, so it is
-/// given negative versines, which keep their digits near the axis.
+/// The error is a difference of fractions, as in CosineResidual. The formula uses only differences of cosines, so it
+/// gets negative versines, which keep their digits near the axis.
 struct SmoothstepResidual {
   const ConePoint& point;
 
@@ -25,7 +25,7 @@ struct SmoothstepResidual {
 };
 
 double smoothstep_at(const ConePoint& point, const ConeParameters& parameters) {
-  // A cone that ends here leaves it dark, in the limit too; every cone lights the axis.
+  // A cone that ends here leaves the point dark, also in the limit; every cone lights the axis.
   if (point.versine >= parameters[1] && point.versine > 0) return 0;
   return formulas::smoothstep_cone(-point.versine, -parameters[0], -parameters[1]);
 }
@@ -85,7 +85,7 @@ double SmoothstepProfile::objective(const ConeParameters& parameters) const {
 }
 
 double SmoothstepProfile::bound(const ConeBox& box, double start_objective) const {
-  // Where the ranges overlap, a step is the limit of the cones.
+  // If the ranges overlap, a step is the limit of the cones.
   const ConeParameters least{box.least[0], std::max(box.least[0], box.least[1])};
   const ConeParameters most{std::min(box.most[0], box.most[1]), box.most[1]};
   const double sum = sum_losses(full_end(least), dark_from(most[1]), [&](const ConePoint& point) {
@@ -95,7 +95,7 @@ double SmoothstepProfile::bound(const ConeBox& box, double start_objective) cons
 }
 
 /// The objective F is at least F(middle) - sum over the parameters of max |dF/dp| over the box times half its width.
-/// Near a minimum that misses F by the square of the width, the bound by each point alone by the width.
+/// Near a minimum this bound misses F by the square of the width; a bound by each point alone misses it by the width.
 ///
 /// With x a point's versine, t = (outer - x) / (outer - inner) in [0, 1] and s = t^2 (3 - 2 t) its cone,
 ///     ds/dinner = 6 t^2 (1 - t) / (outer - inner),  ds/douter = 6 t (1 - t)^2 / (outer - inner),
@@ -110,7 +110,7 @@ double SmoothstepProfile::mean_value_bound(const ConeBox& box, double middle_obj
   constexpr std::array kSteepestAt{2.0 / 3, 1.0 / 3};
   std::array<Slope, 2> slopes;  // slopes of F
   const Point dark = dark_from(box.most[1]);
-  for (Point point = full_end(box.least); point < dark; ++point) {  // others are flat in the whole box
+  for (Point point = full_end(box.least); point < dark; ++point) {  // all others are flat in the whole box
     const double low = t_at(point->versine, box.least), high = t_at(point->versine, box.most);
     if (low == 1 || high == 0) continue;
     const double least_error = smoothstep(low) - point->fraction, most_error = smoothstep(high) - point->fraction;

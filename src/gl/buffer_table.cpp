@@ -37,7 +37,7 @@ void BufferTable::allocate(std::size_t bytes) {
 void BufferTable::upload(std::span<const std::byte> table, std::span<const EntryRange> changed) {
   const bool is_first = size_ == 0;
   const bool has_outgrown = table.size() > capacity_;
-  // By half at a time, so that a table that grows light by light is rarely uploaded whole.
+  // Grows by half, so that a table that grows light by light is rarely uploaded whole.
   if (has_outgrown) allocate(std::max(table.size(), capacity_ + capacity_ / 2));
   size_ = table.size();
   const EntryRange all{0, table.size() / entry_bytes_};

@@ -14,12 +14,12 @@
 namespace litfog::gl {
 namespace {
 
-constexpr int kUnit = 14;             // the last two of a fragment shader's 16 texture units, for hosts fill them from 0 on
+constexpr int kUnit = 14;             // the last two of a fragment shader's 16 texture units; hosts fill them from 0 on
 constexpr int kBlockBinding = 35;     // its last binding point
 constexpr int kSlabs = 8;             // litfog_far_slabs
-constexpr double kHidden = 1e-3;      // fraction of light that fog lets through from beyond the grid
-constexpr int kLightsAtOnce = 64;     // an instance of the triangle each: a GPU draws them at the same time
-constexpr double kLeastDepth = 1e-3;  // metres, of the grid in total fog
+constexpr double kHidden = 1e-3;      // the fog's transmittance to the end of the grid
+constexpr int kLightsAtOnce = 64;     // instances of the triangle, which a GPU draws at the same time
+constexpr double kLeastDepth = 1e-3;  // metres; depth of the grid in total fog
 
 constexpr std::string_view kVertexShader = R"(
 uniform int lights_at_once;
@@ -49,7 +49,7 @@ void main() {
 }
 )";
 
-/// The fog's forms as constants, which makes the program some six times as fast on llvmpipe.
+/// The forms of the fog as constants, which makes the program some six times as fast on llvmpipe.
 std::string constants_of(const Atmosphere& atmosphere) {
   return "#define LITFOG_FOG_MODE " + std::to_string(int(atmosphere.fog.mode)) + ".0\n#define LITFOG_KNOT_COUNT " +
          std::to_string(atmosphere.profile.count) + "\n#define LITFOG_ISOTROPIC " +
@@ -101,7 +101,7 @@ void FarAirlight::draw(const View& view, const Atmosphere& atmosphere, const Fog
   require(find_error(view));
   fog_block_.upload(pack_fog_header(atmosphere, 0));
   const Fog thinnest = atmosphere.thinnest_fog();
-  const double hidden_depth = -std::log(kHidden);  // optical
+  const double hidden_depth = -std::log(kHidden);  // optical depth
   const double hidden_range =
       (thinnest.mode == FogMode::exp ? hidden_depth : std::sqrt(hidden_depth)) / thinnest.density;
   const double edge = std::hypot(1, std::max(-view.left, view.right), std::max(-view.bottom, view.top));
@@ -137,7 +137,7 @@ void FarAirlight::draw(const View& view, const Atmosphere& atmosphere, const Fog
   for (int i = 0; i < kSlabs; ++i) glClearBufferfv(GL_COLOR, i, kEmpty);
   glEnable(GL_BLEND);
   glBlendEquation(GL_FUNC_ADD);
-  glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ZERO);  // the ranges in alpha are the same each time
+  glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ZERO);  // alpha holds ranges, the same each time
   glDrawArraysInstanced(GL_TRIANGLES, 0, 3, GLsizei((lights + kLightsAtOnce - 1) / kLightsAtOnce));
   glDisable(GL_BLEND);
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));

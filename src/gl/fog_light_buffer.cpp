@@ -21,7 +21,7 @@ FogLightBuffer::FogLightBuffer() {
 void FogLightBuffer::upload(const FogLightBlock& block) {
   glBindBuffer(GL_UNIFORM_BUFFER, name_.id());
   glBufferSubData(GL_UNIFORM_BUFFER, 0, sizeof(block), &block);
-  has_tables_ = false;  // a FogUpdater's are gone
+  has_tables_ = false;  // a FogUpdater's tables are gone
 }
 
 void FogLightBuffer::upload(const FogHeader& header) {

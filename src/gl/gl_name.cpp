@@ -6,8 +6,8 @@
 namespace litfog::gl {
 namespace {
 
-/// Also calls the function that deletes, with nothing to delete, because libepoxy loads functions when they are first
-/// called, and ends a process whose context has gone by then.
+/// Also calls the delete function with nothing to delete: libepoxy loads functions at their first call, and ends the
+/// process if the context has gone by then.
 template <typename Generate, typename Delete>
 GLuint generated(Generate generate, Delete remove) {
   GLuint id = 0;

@@ -23,7 +23,7 @@
 namespace litfog::gl {
 namespace {
 
-/// Loads, for good, the first library that can be loaded; null where there is none.
+/// Loads, for good, the first library that can be loaded; null if there is none.
 void* load(const char*& loaded, std::initializer_list<const char*> libraries) {
   for (const char* library : libraries) {
     loaded = library;
@@ -38,7 +38,7 @@ void expect_functions(void* handle, const char* library, std::initializer_list<c
   }
 }
 
-/// libepoxy opens these at the first call that needs them, and aborts where one of them or a function is missing.
+/// libepoxy opens these at the first call that needs them, and aborts if one of them or a function is missing.
 void expect_libraries() {
   const char* library = nullptr;
   void* const egl = load(library, {"libEGL.so.1"});
@@ -52,7 +52,7 @@ void expect_libraries() {
   expect_functions(gl, library, {"glGetError", "glGetIntegerv", "glGetString"});
 }
 
-/// How many threads Mesa's software rasteriser starts (its src/gallium/drivers/llvmpipe/lp_screen.c).
+/// The number of threads that Mesa's software rasteriser starts (its src/gallium/drivers/llvmpipe/lp_screen.c).
 std::size_t rasteriser_threads() {
   constexpr std::size_t kMost = 16;  // LP_MAX_THREADS
   const char* const asked = std::getenv("LP_NUM_THREADS");
@@ -60,7 +60,7 @@ std::size_t rasteriser_threads() {
   return std::clamp(count, std::size_t{1}, kMost);
 }
 
-/// Mesa waits for ever for the threads of its rasteriser where not all of them can start.
+/// Mesa waits forever for the threads of its rasteriser if not all of them can start.
 void expect_threads() {
   const std::size_t count = rasteriser_threads();
   std::vector<std::thread> threads;
@@ -82,7 +82,7 @@ void expect_threads() {
 /// Address space that Mesa takes to start, measured with Mesa 22.3 and LLVM 15 and rounded up.
 constexpr std::size_t kDriverMiB = 320;
 
-/// Mesa does not say that its driver found no memory: it ends the process or says that there is no driver.
+/// Mesa does not report that its driver lacks memory: it ends the process or reports that there is no driver.
 class DriverMemory {
  public:
   DriverMemory() : space_(mmap(nullptr, kBytes, PROT_NONE, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0)) {
@@ -100,12 +100,12 @@ class DriverMemory {
   void* space_;
 };
 
-/// Whether there is room for what a context starts: the driver with the first one, threads with each.
+/// Checks the memory for a context: the driver with the first one, threads with each.
 void expect_room() {
   static std::atomic<bool> is_driver_loaded = false;
   std::optional<DriverMemory> memory;
   if (!is_driver_loaded) memory.emplace();
-  expect_threads();  // whose stacks take memory beside the driver's
+  expect_threads();  // their stacks take memory beside the driver's
   is_driver_loaded = true;
 }
 
@@ -136,7 +136,7 @@ std::vector<EGLDisplay> candidate_displays() {
 
 /// A current 3.3 core context on an initialised display, or EGL_NO_CONTEXT. Binds the OpenGL API.
 ///
-/// is_refused  set to whether EGL gave a context but does not make it current on this thread
+/// is_refused  set if EGL gave a context but does not make it current on this thread
 EGLContext make_current_context(EGLDisplay display, bool& is_refused) {
   if (!epoxy_has_egl_extension(display, "EGL_KHR_surfaceless_context") ||
       !epoxy_has_egl_extension(display, "EGL_KHR_no_config_context") || !eglBindAPI(EGL_OPENGL_API)) {
@@ -153,7 +153,7 @@ EGLContext make_current_context(EGLDisplay display, bool& is_refused) {
   return EGL_NO_CONTEXT;
 }
 
-/// What is current on the thread when this is made.
+/// The thread's current API and context at construction.
 struct Current {
   EGLenum api = eglQueryAPI();
   EGLDisplay display = eglGetCurrentDisplay();
@@ -174,7 +174,7 @@ std::string gl_string(GLenum name) {
 
 }  // namespace
 
-// A display is never terminated: it is one for the whole process, and eglTerminate ends every context on it.
+// A display is never terminated: the whole process shares it, and eglTerminate ends every context on it.
 struct HeadlessContext::Egl {
   Egl() {
     bool is_refused = false;

@@ -34,11 +34,11 @@ std::string info_log(GLuint object, GetParameter get_parameter, GetLog get_log) 
   get_parameter(object, GL_INFO_LOG_LENGTH, &length);
   std::string log(std::size_t(std::max(length, 1)), '\0');
   get_log(object, GLsizei(log.size()), &length, log.data());
-  log.resize(std::size_t(length));  // without the terminator, where an exception's text would end
+  log.resize(std::size_t(length));  // drops the terminator, which would end an exception's text
   return log;
 }
 
-/// Compiles a shader into a program, with which it is deleted.
+/// Compiles a shader into a program. It is deleted with the program.
 void add_shader(GLuint program, GLenum stage, std::string_view name, std::span<const ShaderSource> files) {
   ShaderAssembly assembly([files](std::string_view file) { return text_of(file, files); });
   assembly.add_line(shader_head());

@@ -10,7 +10,7 @@
 
 namespace litfog::gl {
 
-/// Uploads ranges of a table into the buffer that is bound to a target, where the table begins at an offset in bytes.
+/// Uploads ranges of a table into the buffer bound to a target. The table begins at an offset in bytes.
 inline void upload_ranges(GLenum target, std::size_t offset, std::span<const std::byte> table, std::size_t entry_bytes,
                           std::span<const EntryRange> ranges) {
   for (const EntryRange& range : ranges) {

@@ -13,11 +13,11 @@
 
 namespace litfog {
 
-/// Radians, so that a direction at the last measured angle does not round to beyond it.
+/// Radians; keeps a direction at the last measured angle from rounding to beyond it.
 inline constexpr double kAngleTolerance = 1e-9;
 
-/// Finds the interval between measured angles that holds an angle, by buckets of even width. Each bucket stores the
-/// interval in which it begins, which mostly is the one.
+/// Finds the interval between measured angles that holds an angle, by buckets of equal width. Each bucket stores the
+/// interval in which it begins, mostly the right one.
 struct AngleIndex {
   AngleIndex() = default;
   /// angles  two or more, strictly increasing
@@ -28,7 +28,7 @@ struct AngleIndex {
   std::size_t bucket_of(double angle) const {
     return std::size_t(std::int64_t(std::min(std::max((angle - first) * scale, 0.0), last_bucket)));
   }
-  /// The interval that holds an angle, or is next to it.
+  /// The interval that holds an angle, or one next to it.
   std::size_t interval(double angle) const {
     std::size_t interval = intervals[bucket_of(angle)];
     while (angle >= low[interval + 1]) ++interval;
@@ -57,7 +57,7 @@ inline int turn_multiplicity(std::span<const double> turn) {
 /// Whether angles of type A or B are mirrored at 0.
 inline bool is_mirrored(std::span<const double> angles) { return angles.front() == 0; }
 
-/// How many times the measured part is repeated over the sphere.
+/// The number of times that the measured part is repeated over the sphere.
 inline int measured_parts(const IntensityDistribution& distribution) {
   const auto& [type, horizontal, vertical, intensity] = distribution;
   if (type == PhotometryType::c) return horizontal.size() == 1 ? 1 : turn_multiplicity(horizontal);

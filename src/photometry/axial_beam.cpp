@@ -18,7 +18,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kAxialSteps = 720;  // a quarter degree each, from an axis to its opposite
+constexpr int kAxialSteps = 720;  // of a quarter degree, from an axis to its opposite
 constexpr double kAxialStep = pi / kAxialSteps;
 constexpr double kMinAxialStep = kAxialStep / 25;
 constexpr int kFineSteps = 100;  // steps of the finer grid, from the axis
@@ -29,7 +29,7 @@ bool is_own_axis(const IntensityDistribution& distribution, const glm::dvec3& ax
 
 // --- angles of a profile ---
 
-/// Appends angles from the last one to pi in the last step; where the last one is lit, the dark begins beside it.
+/// Appends angles from the last one to pi in the last step. If the last one is lit, the dark begins beside it.
 void extend_to_pi(std::vector<double>& angles, bool is_last_lit) {
   const double last = angles.back();
   const double step = last - angles.rbegin()[1];
@@ -46,7 +46,7 @@ std::vector<double> supplements(std::vector<double> angles) {
   return angles;
 }
 
-/// The measured ones and those beyond them.
+/// The measured angles and those beyond them.
 std::vector<double> own_angles(const IntensityDistribution& distribution, bool is_up) {
   std::vector<double> angles = distribution.vertical;
   extend_to_pi(angles, is_row_lit(distribution, angles.size() - 1));
@@ -64,7 +64,7 @@ double least_difference(std::span<const double> angles) {
   return least;
 }
 
-/// From 0 to pi in quarters of a degree; of a finer grid, which a narrow beam has, in its own steps near the axis.
+/// Angles from 0 to pi in quarters of a degree; near the axis in the grid's own steps, if finer, as for a narrow beam.
 std::vector<double> even_angles(const IntensityDistribution& distribution) {
   double step = least_difference(distribution.vertical);
   if (distribution.type != PhotometryType::c) step = std::min(step, least_difference(distribution.horizontal));
@@ -132,7 +132,7 @@ const std::vector<double>& angles_from_pole(const IntensityDistribution& distrib
   return distribution.type == PhotometryType::b ? distribution.horizontal : distribution.vertical;
 }
 
-/// Over the sphere, of ((intensity - mean) / unit)^2 as interpolated.
+/// The integral over the sphere of ((intensity - mean) / unit)^2, interpolated.
 ///
 /// means  one for each angle from the pole
 double square_integral(const IntensityDistribution& distribution, double unit, std::span<const double> means) {
@@ -227,7 +227,7 @@ double AxialBeam::asymmetry(double limit) {
   if (asymmetry_) return *asymmetry_;
   const double unit = std::ranges::max(distribution_->intensity);
   if (!circles_) return asymmetry_.emplace(own_asymmetry(*distribution_, unit));
-  // Belts of two steps about every second circle: half the profile's circles are enough.
+  // Belts of two steps about every second circle, because half the profile's circles are enough.
   const double expected_total = std::isinf(limit) ? 1 : total_square(*distribution_, unit) / (2 * pi);
   const double end = limit * limit * expected_total;
   double total = 0, deviation = 0;

@@ -16,9 +16,9 @@ using std::numbers::pi;
 
 using Column = std::array<double, kEquatorSteps>;
 
-/// std::atan2(y, x) without branches and calls, so that compilers take several at a time in a loop; of two zeros it is
-/// a zero. Circles by it are those by std::atan2 to 1e-12. The rational function is that of Cephes (S. L. Moshier,
-/// atan.c), which holds to 0.66: the tangent is brought to within tan(pi / 8).
+/// std::atan2(y, x) without branches and calls, so that compilers vectorise loops; 0 for two zeros. Circles differ from
+/// those by std::atan2 by 1e-12. The rational function is from Cephes (S. L. Moshier, atan.c), which is valid to 0.66:
+/// the tangent is reduced to at most tan(pi / 8).
 inline double arc_tangent(double y, double x) {
   const double across = std::abs(y), along = std::abs(x);
   const double least = std::min(across, along), most = std::max(across, along);
@@ -44,7 +44,7 @@ void take_arc_tangents(const Column& y, const Column& x, std::size_t count, Colu
   for (std::size_t i = 0; i < count; ++i) angles[i] = arc_tangent(y[i], x[i]);
 }
 
-/// The turn in the measured part of one.
+/// A turn folded into the measured part.
 inline double folded(const CircleTable& table, double turn) {
   if (!table.is_c) return table.is_turn_mirrored ? std::abs(turn) : turn;
   double offset = turn - table.first_turn;
@@ -137,7 +137,7 @@ Circle CircleSampler::at(double angle) const {
     const double rise = table_.is_rise_mirrored ? std::abs(rises[i]) : rises[i];
     return intensity_between(table_, folded(table_, turns[i]), rise) * per_unit;
   };
-  const double pivot = value_at(0);  // sums of offsets from it lose no digits
+  const double pivot = value_at(0);  // sums of offsets from a pivot lose no digits
   double sum = 0, squares = 0, least = pivot, most = pivot;
   for (std::size_t i = 1; i < lit; ++i) {
     const double value = value_at(i), offset = value - pivot;

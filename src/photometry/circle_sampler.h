@@ -22,7 +22,7 @@ struct Circle {
   double rms_deviation = 0;
 };
 
-/// A distribution prepared for looking up many intensities at a time.
+/// A distribution prepared for looking up many intensities.
 struct CircleTable {
   explicit CircleTable(const IntensityDistribution& distribution);
 

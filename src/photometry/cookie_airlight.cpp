@@ -14,7 +14,7 @@ namespace {
 
 using airlight_text::Text;
 
-/// A cookie as a ray crosses it.
+/// A cookie on a ray.
 struct CookieOnRay {
   const Cookie& cookie;
   glm::dvec3 offset;     ///< from the light to the closest approach

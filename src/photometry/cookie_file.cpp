@@ -17,14 +17,14 @@
 namespace litfog {
 namespace {
 
-constexpr std::size_t kMaxFileBytes = std::size_t{400} << 20;  // texels are stored as they are where zip gains nothing
+constexpr std::size_t kMaxFileBytes = std::size_t{400} << 20;  // texels that zip does not shrink are stored as they are
 constexpr uint64_t kMaxExpansion = 1032;                       // deflate's, https://zlib.net/zlib_tech.html
 constexpr int kPart = 0;
 constexpr const char* kComment =
     "litfog cookie: a light's intensity per its peak by direction; the faces +x -x +y -y +z -z of a cube map from the "
     "top, as glTexImage2D takes them; the axis is -z, +y is up";
 
-/// A file by OpenEXR's C interface: unlike the C++ one, it takes no memory for a size before it can be checked.
+/// A file by OpenEXR's C interface: unlike C++'s, it lets a size be checked before memory is allocated for it.
 struct Finish {
   void operator()(exr_context_t context) const { exr_finish(&context); }
 };
@@ -36,7 +36,7 @@ exr_context_initializer_t quiet_initializer() {
   return initializer;
 }
 
-/// Where memory is short, no file is at fault.
+/// Throws if memory is short, which is the fault of no file.
 void expect_memory(exr_result_t result) {
   if (result == EXR_ERR_OUT_OF_MEMORY) throw std::bad_alloc();
 }
@@ -80,8 +80,8 @@ void write_header(exr_context_t exr, int size) {
 
 using Compress = exr_result_t (*)(exr_encode_pipeline_t*);
 
-/// Readers take a chunk that has the size of its texels for the texels as they are. OpenEXR 3.1's own function, the
-/// pipeline's user data, leaves one compressed that is neither smaller nor larger.
+/// Readers take a chunk of the size of its texels as uncompressed. OpenEXR 3.1's own function, the pipeline's user
+/// data, leaves a chunk compressed that is neither smaller nor larger.
 exr_result_t compress_or_keep(exr_encode_pipeline_t* pipeline) {
   const exr_result_t result = (*static_cast<const Compress*>(pipeline->encoding_user_data))(pipeline);
   if (result == EXR_ERR_SUCCESS && pipeline->compressed_bytes == pipeline->packed_bytes) {

@@ -22,7 +22,7 @@ struct AngleRange {
   double low, high;
 };
 
-/// The angles beyond which all is dark, on both sides where they are mirrored.
+/// The angles beyond which all is dark, on both sides if angles are mirrored.
 template <typename IsLit>
 AngleRange lit_range(std::span<const double> angles, bool is_mirrored, const IsLit& is_lit_at) {
   std::size_t first = 0, last = angles.size() - 1;

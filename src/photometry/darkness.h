@@ -9,7 +9,7 @@
 
 namespace litfog {
 
-/// Whether any intensity of a vertical angle, by its index, is above 0.
+/// Whether any intensity at a vertical angle, given by its index, is above 0.
 bool is_row_lit(const IntensityDistribution& distribution, std::size_t vertical);
 
 /// The directions outside a distribution's lit angles: most directions, for a narrow beam.
@@ -29,7 +29,7 @@ class Darkness {
 
  private:
   double least_pole_, most_pole_;
-  double low_ahead_ = 0, low_aside_ = 0;  // 0, as for type C: no turn is below
+  double low_ahead_ = 0, low_aside_ = 0;  // 0 for type C: no turn is below
   double high_ahead_ = 0, high_aside_ = 0;
   bool is_wide_ = false;  // the lit turn is more than a half
 };

@@ -81,7 +81,7 @@ IntensityDistribution elliptical_beam(const std::vector<IsocandelaEllipse>& elli
   const double end = std::min(std::max(outermost.horizontal, outermost.vertical), pi);
   for (int i = 0; i <= kAngles; ++i) beam.vertical.push_back(end * i / kAngles);
   const double dark = end + kDarkEdge;
-  for (int i = 0; dark < pi && i <= kDarkAngles; ++i) {  // so that a profile does not go on in the steps of the beam
+  for (int i = 0; dark < pi && i <= kDarkAngles; ++i) {  // so that a profile does not continue in the beam's steps
     beam.vertical.push_back(std::lerp(dark, pi, double(i) / kDarkAngles));
   }
   for (const double turn : beam.horizontal) add_half_plane(ellipses, turn, beam);
@@ -89,7 +89,7 @@ IntensityDistribution elliptical_beam(const std::vector<IsocandelaEllipse>& elli
 }
 
 double equal_circle(double horizontal, double vertical) {
-  // 1 - cos of the circle is the mean of 1 - cos over the ellipse's turn, both as 2 sin^2 of the half.
+  // 1 - cos of the circle is the mean of 1 - cos over the ellipse's turn, both as 2 sin^2 of half the angle.
   double sum = 0;
   for (int i = 0; i < kCircleSteps; ++i) {
     const double sine = std::sin(angle_at(horizontal, vertical, pi / 2 * (i + 0.5) / kCircleSteps) / 2);

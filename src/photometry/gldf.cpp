@@ -34,7 +34,7 @@ OpenArchive open_archive(const std::string& path) {
   return archive;
 }
 
-/// Programs of Windows write backslashes into names.
+/// Replaces the backslashes that Windows programs write into names.
 std::string with_slashes(std::string_view name) {
   std::string result(name);
   std::ranges::replace(result, '\\', '/');
@@ -104,7 +104,7 @@ std::string GldfArchive::read(const std::string& entry) const {
   std::string bytes;
   std::array<char, 65536> buffer;
   int count;
-  // Nothing is allocated for the archive's own count of bytes: what comes out of it is counted.
+  // Nothing is allocated for the archive's own count of bytes: the unpacked bytes are counted.
   while ((count = unzReadCurrentFile(archive.get(), buffer.data(), buffer.size())) > 0) {
     bytes.append(buffer.data(), std::size_t(count));
     if (bytes.size() > kMaxPhotometricBytes) {
@@ -135,7 +135,7 @@ void GldfArchive::expect_sound(const std::vector<std::string>& entries) const {
     int method, level;
     const bool is_open = unzGoToFilePos64(archive.get(), &entry->position) == UNZ_OK &&
                          unzOpenCurrentFile2(archive.get(), &method, &level, kAsPacked) == UNZ_OK;
-    if (!is_open) continue;  // nor can it be read
+    if (!is_open) continue;  // it cannot be read either
     const std::uint64_t begin = unzGetCurrentFileZStreamPos64(archive.get());
     extents.push_back({begin, begin + entry->packed_bytes, &name});
     unzCloseCurrentFile(archive.get());

@@ -19,7 +19,7 @@ inline constexpr std::uint64_t kMaxGldfBytes = std::uint64_t{256} << 20;
 /// Threads may read entries at once.
 class GldfArchive {
  public:
-  /// Throws InputError for what is no zip archive, and for one of more than kMaxGldfEntries.
+  /// Throws InputError for a file that is not a zip archive, or has more than kMaxGldfEntries.
   explicit GldfArchive(std::string path);
 
   const std::string& path() const { return path_; }
@@ -28,7 +28,7 @@ class GldfArchive {
   /// InputError.
   std::string read(const std::string& entry) const;
 
-  /// Throws InputError where entries unpack to more than kMaxGldfBytes together, or two of them share packed bytes. No
+  /// Throws InputError if entries unpack to more than kMaxGldfBytes together, or two of them share packed bytes. No
   /// honest archive has such entries. Missing entries are ignored.
   void expect_sound(const std::vector<std::string>& entries) const;
 

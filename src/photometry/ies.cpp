@@ -41,7 +41,7 @@ int edition_of(std::string_view first_line) {
   return 2002;  // 1995, 2002 and 2019 differ in no number that is read here
 }
 
-/// What follows "TILT=" on a line, if that is what it is.
+/// The text after "TILT=" on a line, if the line begins with it.
 std::optional<std::string_view> tilt_of(std::string_view line) {
   if (!line.starts_with('T') && !line.starts_with('t')) return std::nullopt;  // early exit for almost all lines
   if (upper(line.substr(0, 4)) != "TILT") return std::nullopt;
@@ -54,7 +54,7 @@ std::optional<std::string_view> tilt_of(std::string_view line) {
 struct Label {
   int edition = kNoLabel;
   std::string first_line;
-  /// The ones of interest. A [MORE] line goes on with the keyword before it, and so does a keyword given again.
+  /// The keywords of interest. A [MORE] line continues the previous keyword, and so does a repeated keyword.
   std::map<std::string, std::string, std::less<>> keywords{{"LUMINAIRE", ""}, {"LUMCAT", ""}, {"MANUFAC", ""}};
   Piece tilt;  // what follows TILT=
 };
@@ -114,7 +114,7 @@ LampTilt read_tilt(TextScanner& scanner) {
   return tilt;
 }
 
-/// Fails where NONE or INCLUDE has text behind it on its line.
+/// Fails if text follows NONE or INCLUDE on its line.
 void expect_word_alone(const TextScanner& scanner, const Piece& tilt) {
   for (const std::string word : {"NONE", "INCLUDE"}) {
     if (!upper(tilt.text.substr(0, word.size())).starts_with(word)) continue;
@@ -126,7 +126,7 @@ void expect_word_alone(const TextScanner& scanner, const Piece& tilt) {
   }
 }
 
-/// A file names its tilt data by a path below its own folder: it may not make us read others.
+/// Reads a file's tilt data. Their path must be below the file's folder, so that a file cannot make us read others.
 LampTilt read_tilt_file(const TextScanner& scanner, const Label& label) {
   const std::filesystem::path named{std::string(label.tilt.text)};
   const bool leaves = named.is_absolute() || std::ranges::find(named, "..") != named.end();

@@ -40,10 +40,10 @@ struct Bracket {
   double fraction;
 };
 
-/// The first of two or more angles that is beyond an angle, but neither the first nor beyond the last of all.
+/// The first of two or more angles that is beyond an angle, limited to the second up to the last one.
 std::size_t first_beyond(std::span<const double> angles, double angle) {
   const std::size_t last = angles.size() - 1;
-  // Measured angles are mostly even, so that this holds mostly.
+  // Measured angles are mostly even, so this guess is mostly right.
   const double even = (angle - angles.front()) / (angles.back() - angles.front()) * double(last);
   const auto guess = std::size_t(std::clamp(even, 0.0, double(last - 1))) + 1;
   if ((guess == 1 || angles[guess - 1] <= angle) && (guess == last || angles[guess] > angle)) return guess;
@@ -60,7 +60,7 @@ std::optional<Bracket> locate(std::span<const double> angles, double angle) {
 
 // --- integration ---
 
-/// Weights of the trapezoidal rule: the integral of what is linear between the angles.
+/// Weights of the trapezoidal rule: exact for values that are linear between the angles.
 std::vector<double> trapezoidal_weights(std::span<const double> angles) {
   std::vector<double> weights(angles.size(), 0);
   for (std::size_t i = 1; i < angles.size(); ++i) {
@@ -214,7 +214,7 @@ double luminous_flux(const IntensityDistribution& distribution) {
 IntensityPeak find_peak(const IntensityDistribution& distribution) {
   require(find_error(distribution));
   const auto& [type, horizontal, vertical, intensity] = distribution;
-  // A flat beam has its peak at thousands of angles. The cosine of each from the axis is a product of two of these.
+  // A flat beam has its peak at thousands of angles. The cosine from the axis of each is a product of two of these.
   std::vector<double> horizontal_cosines(horizontal.size(), 1), vertical_cosines;
   for (std::size_t h = 0; type != PhotometryType::c && h < horizontal.size(); ++h) {
     horizontal_cosines[h] = std::cos(horizontal[h]);

@@ -26,15 +26,15 @@ constexpr std::string_view kHeaderRule =
     "must be vertical_deg and the horizontal angles, or candela,horizontal_deg,vertical_deg, with commas or semicolons "
     "between";
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
-constexpr std::size_t kMaxCells = 1000;  // a row
+constexpr std::size_t kMaxCells = 1000;  // per row
 
-/// A line that is blank, of separators alone as spreadsheets write it, or a comment, which they may put in quotes.
+/// Whether a line is blank, or only separators (from spreadsheets), or a comment, which spreadsheets may quote.
 bool is_passed_over(std::string_view line) {
   const std::size_t first = line.find_first_not_of(" \t\r,;");
   return first == line.npos || line.substr(first).starts_with('#') || line.substr(first).starts_with("\"#");
 }
 
-/// The lines that are not passed over.
+/// Visits the lines that are not passed over.
 ///
 /// use  takes a line, and returns whether it wants another
 template <typename Use>
@@ -56,7 +56,7 @@ std::string_view header_line(std::string_view text) {
   return header;
 }
 
-/// The same without quotes.
+/// The header line without quotes.
 std::string header_of(std::string_view text) {
   std::string header(header_line(text));
   std::erase(header, '"');
@@ -98,7 +98,7 @@ std::string lines_of(std::string bytes) {
   return text;
 }
 
-/// A table's lines that are neither blank nor comments, a row each.
+/// A table's rows: its lines that are neither blank nor comments.
 class Rows {
  public:
   Rows(std::string bytes, const std::string& name)
@@ -109,7 +109,7 @@ class Rows {
         file_(fmemopen(text_.data(), text_.size(), "r"), std::fclose),
         reader_(file_.get(), name, separator_) {}
 
-  /// The next row, of as many cells as the first, or an empty cell alone at the end.
+  /// The next row, with as many cells as the first, or a single empty cell at the end.
   std::vector<Cell> next() {
     while (reader_.read(record_)) {
       if (record_.error() != nullptr) {
@@ -193,7 +193,7 @@ class Largest {
     candela_ = candela;
     location_ = cell.location;
   }
-  /// Fails at a cell if all are dark.
+  /// Where the largest is. Fails at the last cell if all are dark.
   InputLocation location(const Cell& last) const {
     if (candela_ == 0) fail(last, "candela", "must not be 0 as all others are");
     return location_;
@@ -215,7 +215,7 @@ struct GridRow {
   std::vector<double> candela;
 };
 
-/// Whether an angle goes on from those before it the way they went.
+/// Whether an angle continues the direction of the angles before it.
 bool goes_on(const std::vector<GridRow>& table, double vertical) {
   if (table.empty()) return true;
   const double last = table.back().vertical;

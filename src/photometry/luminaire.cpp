@@ -29,7 +29,7 @@ constexpr std::string_view kZip = "PK\x03\x04";
 
 std::string ending_of(const fs::path& path) { return lower(path.extension().string()); }
 
-/// Plain text of no known kind is taken for what its ending says, for the sake of the error.
+/// Plain text of no known kind counts as what its ending says, for a better error.
 bool is_named(const std::string& path, const char* ending, std::string_view text) {
   return ending_of(path) == ending && !text.starts_with('<') && text.find('\0') == text.npos;
 }
@@ -53,7 +53,7 @@ const std::string& single_file_of(const GldfContainer& container, const std::str
   throw InputError({.file = path}, "photometric file", "", rule);
 }
 
-/// The container that a path leads into, where it is a path of list_gldf().
+/// The container that a path of list_gldf() leads into; nothing for other paths.
 std::optional<std::string> gldf_of(const std::string& path) {
   std::error_code error;
   for (fs::path container = fs::path(path).parent_path(); container.has_relative_path();

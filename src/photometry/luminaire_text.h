@@ -7,7 +7,7 @@
 
 namespace litfog {
 
-/// Parses a photometric file of any kind but GLDF; the kind follows from the content.
+/// Parses a photometric file of any kind except GLDF; the kind follows from the content.
 ///
 /// path  for messages and for the file's ending
 Luminaire parse_luminaire(std::string bytes, const std::string& path);

@@ -104,7 +104,7 @@ void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity)
   const std::vector<double> first_plane(intensity.begin(),
                                         intensity.begin() + std::ptrdiff_t(intensity.size() / planes_deg.size()));
   planes_deg.push_back(planes_deg.front() + 360);
-  intensity.reserve(intensity.size() + first_plane.size());  // all that it may take, where there are millions
+  intensity.reserve(intensity.size() + first_plane.size());  // no more, because there may be millions
   intensity.insert(intensity.end(), first_plane.begin(), first_plane.end());
 }
 

@@ -41,8 +41,8 @@ class IntensityReader {
   double largest_candela_ = 0;
 };
 
-/// Angles and intensities as both kinds of plain photometric file hold them: read in degrees, one piece each. Nothing
-/// is allocated for a count, only for what is read.
+/// Angles and intensities as in both kinds of plain photometric file: in degrees, one piece each. Memory is allocated
+/// only for what is read, never for a stated count.
 class PhotometricGrid {
  public:
   PhotometricGrid(TextScanner& scanner, TextScanner::Unit unit) : scanner_(scanner), unit_(unit) {}
@@ -85,12 +85,12 @@ constexpr AngleLimits limits_of(PhotometryType type) {
   return {-180, 360, 0, 180};
 }
 
-/// Whether planes of type C span the whole turn, or the part of it that a symmetry leaves.
+/// Whether planes of type C span the whole turn, or the part left by a symmetry.
 bool is_turn(const std::vector<double>& planes_deg);
 inline constexpr const char* kTurnRule =
     "must be one of planes at 0, from 0 to 90, 180 or 360, from 90 to 270, from -90 to 90, or from -180 to 180";
 
-/// Whether planes of type C in degrees go all round: the gap to the first one is no wider than the widest step.
+/// Whether planes of type C in degrees go all round: the gap to the first one is at most the widest step.
 bool is_closed_turn(const std::vector<double>& planes_deg);
 
 /// Closes a turn for which is_closed_turn(): repeats the first plane at the end, unless it is there.
@@ -99,7 +99,7 @@ void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity)
 /// "must be in [-90, 90]"
 std::string range_rule(double low, double high);
 
-/// An angle, snapped to a multiple of 90 degrees, where parts of a turn end, if it differs by a float's rounding only.
+/// An angle, snapped to a multiple of 90 degrees, where parts of a turn end, if it differs only by a float's rounding.
 double with_right_angles(double degrees);
 
 std::vector<double> radians_from_degrees(std::vector<double> angles);

@@ -7,7 +7,7 @@
 
 namespace litfog {
 
-/// A direction in coordinates of the line on which all half planes of a type meet.
+/// A direction in coordinates about the line on which all half planes of a type meet.
 struct PoleCoordinates {
   double pole;   ///< along that line: the vertical axis of type A, the horizontal one of B, the photometric one of C
   double ahead;  ///< in the half plane of turn 0

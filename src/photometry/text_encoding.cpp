@@ -20,7 +20,7 @@ namespace {
 
 constexpr std::string_view kLittleEndianMark = "\xFF\xFE";
 constexpr std::string_view kBigEndianMark = "\xFE\xFF";
-constexpr std::size_t kSampleBytes = std::size_t{64} << 10;  // sample size, enough to guess from
+constexpr std::size_t kSampleBytes = std::size_t{64} << 10;  // sample size, enough for a guess
 
 bool is_beyond_ascii(char c) { return static_cast<unsigned char>(c) >= 0x80; }
 
@@ -31,7 +31,8 @@ std::string utf8_from_latin1(std::string_view text) {
   return result;
 }
 
-/// Nothing where iconv does not know an encoding, or the text is invalid in it or not representable in the other.
+/// Converts a text. Nothing if iconv lacks an encoding, or the text is invalid in one or not representable in the
+/// other.
 std::optional<std::string> convert(std::string_view text, const char* from, const char* to = "UTF-8") {
   const auto close = [](iconv_t converter) { iconv_close(converter); };
   const iconv_t opened = iconv_open(to, from);
@@ -54,7 +55,7 @@ std::optional<std::string> convert(std::string_view text, const char* from, cons
   return result;
 }
 
-/// UTF-16's name in the byte order of a text, or null if it is none. Photometric files begin with ASCII.
+/// The name of UTF-16 in a text's byte order, or null for other text. Photometric files begin with ASCII.
 const char* utf16_of(std::string_view text) {
   if (text.starts_with(kLittleEndianMark)) return "UTF-16LE";
   if (text.starts_with(kBigEndianMark)) return "UTF-16BE";
@@ -93,7 +94,7 @@ std::string code_page_of(std::string_view text) {
   uchardet_data_end(detector.get());
   const std::string guess = uchardet_get_charset(detector.get());
   if (guess.empty()) return kWestern;
-  // Capitals of the one are small letters of the other; programs that write photometric files run under Windows.
+  // Capitals of one are small letters of the other. Programs that write photometric files run under Windows.
   return guess == "KOI8-R" ? "WINDOWS-1251" : guess;
 }
 

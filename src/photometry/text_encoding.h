@@ -14,7 +14,7 @@ namespace litfog {
 /// none.
 std::string utf8_from_bytes(std::string bytes);
 
-/// A name as zip programs of western Windows store it. Nothing where the code page lacks a letter of it.
+/// A name as zip programs of western Windows store it. Nothing if the code page lacks one of its letters.
 std::optional<std::string> code_page_850_from_utf8(std::string_view text);
 
 }  // namespace litfog

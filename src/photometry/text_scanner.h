@@ -15,7 +15,7 @@ inline constexpr std::size_t kMaxPhotometricBytes = std::size_t{64} << 20;
 /// The bytes of a file of at most kMaxPhotometricBytes; throws InputError.
 std::string read_photometric_file(const std::string& path);
 
-/// A value for a message: cut where it is long, control characters replaced.
+/// A value for a message: cut if long, control characters replaced.
 std::string excerpt(std::string_view text);
 
 /// A photometric file's text, read piece by piece. Each error names the location of a piece.
@@ -44,11 +44,11 @@ class TextScanner {
 
   /// A piece as a number: decimal, whole and finite; its exponent may be Fortran's, 1.5D+03. `what` names it in errors.
   double number(const Piece& piece, std::string_view what) const;
-  /// number() of a field on which no intensity depends: nothing if the piece is no number.
+  /// number() of a field on which no intensity depends: nothing if the piece is not a number.
   static std::optional<double> number_if_any(const Piece& piece);
   int integer(const Piece& piece, std::string_view what, int low, int high) const;
   double positive(const Piece& piece, std::string_view what) const;
-  /// Fails if the rest of the file has a number; other text is allowed.
+  /// Fails if a number follows in the file; other text is allowed.
   void expect_no_more_numbers();
 
   InputLocation location(const Piece& piece) const;

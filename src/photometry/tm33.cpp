@@ -18,7 +18,7 @@ bool is_root(std::string_view local_name) {
          local_name == "LuminaireOpticalData";
 }
 
-/// What holds an emitter's intensities.
+/// The element that holds an emitter's intensities.
 pugi::xml_node intensities_of(const pugi::xml_node& emitter) {
   const pugi::xml_node data = child_of(emitter, "LuminousData");
   for (const char* name : {"LuminousIntensity", "IntensityDistribution"}) {
@@ -27,7 +27,7 @@ pugi::xml_node intensities_of(const pugi::xml_node& emitter) {
   return data;
 }
 
-/// What is said of the intensities, beside them or beside the element that holds them.
+/// A remark on the intensities, beside them or beside the element that holds them.
 pugi::xml_node remark_of(const pugi::xml_node& data, const char* name) {
   const pugi::xml_node remark = child_of(data, name);
   return remark ? remark : child_of(data.parent(), name);
@@ -109,7 +109,7 @@ std::vector<double> sorted_angles(const std::vector<Entry>& entries, double Entr
   return angles;
 }
 
-/// Each pair of the angles once, as sorted entries have them.
+/// Fails unless the sorted entries have each pair of the angles once.
 void expect_grid(const TextScanner& scanner, const std::vector<Entry>& entries, const std::vector<double>& horizontal,
                  const std::vector<double>& vertical) {
   const auto is_next = [&](std::size_t i) {
@@ -126,7 +126,7 @@ void expect_grid(const TextScanner& scanner, const std::vector<Entry>& entries, 
 }  // namespace
 
 bool is_tm33(std::string_view text) {
-  // The first element: before it stand comments, and declarations that begin with <? or <!.
+  // Finds the first element. Comments, and declarations that begin with <? or <!, may precede it.
   for (auto at = text.find('<'); at != text.npos; at = text.find('<', at)) {
     text.remove_prefix(at + 1);
     if (text.starts_with("!--")) {

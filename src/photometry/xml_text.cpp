@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxXmlBytes = std::size_t{16} << 20;
 
-/// An element's is that of its first character, which stands before its name.
+/// A node's offset; an element's is that of its '<', one before its name.
 std::size_t offset_of(const pugi::xml_node& node) {
   return std::size_t(node.offset_debug()) - (node.type() == pugi::node_element ? 1 : 0);
 }

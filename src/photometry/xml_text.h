@@ -18,7 +18,8 @@ pugi::xml_node child_of(const pugi::xml_node& element, std::string_view name);
 /// An XML document that knows the position of each node in its text.
 class XmlText {
  public:
-  /// Throws InputError where it is not well-formed, or larger than 16 MiB: a document takes up to 20 times its text.
+  /// Throws InputError if it is not well-formed, or larger than 16 MiB, because a document takes up to 20 times its
+  /// text.
   XmlText(std::string bytes, std::string name);
 
   /// The document's element.

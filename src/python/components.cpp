@@ -44,7 +44,7 @@ void bind_errors(py::module_& m) {
   translate_errors(input_error, output_error);
 }
 
-/// Where figures are from: a line or several.
+/// The source of figures: a line or several.
 using Source = std::variant<std::string, std::vector<std::string>>;
 
 std::vector<std::string> lines_of(const Source& source) {
@@ -52,7 +52,7 @@ std::vector<std::string> lines_of(const Source& source) {
   return line ? std::vector{*line} : std::get<std::vector<std::string>>(source);
 }
 
-/// The file of a light: itself, or where it is a bare name and no file, that of a bundled light.
+/// The file of a light: the path itself, or a bundled light's if it is a bare name and no file.
 Path light_path(const Path& given) {
   if (given.has_parent_path() || given.has_extension() || std::filesystem::exists(given)) return given;
   const Path folder = py::module_::import("litfog").attr("data_dir").cast<Path>() / "lights";
@@ -96,7 +96,7 @@ void bind_files(py::module_& m) {
 
 py::dtype axial_sample_dtype() { return make_dtype({{"angle", "f8", 1}, {"mean", "f8", 1}, {"deviation", "f8", 1}}); }
 
-/// A measured table of a distribution, which lives as long as the array.
+/// A measured table of a distribution, kept alive by the array.
 template <std::vector<double> IntensityDistribution::*kTable>
 py::array table(const py::object& self) {
   const std::vector<double>& values = self.cast<const IntensityDistribution&>().*kTable;
@@ -185,7 +185,7 @@ void bind_photometry(py::module_& m) {
       "How far a beam is from rotational symmetry about an axis: relative rms, 0 to 1, to 0.001. Releases the GIL.");
 }
 
-/// An argument that holds samples; None where there are none.
+/// An argument that holds samples, or None.
 struct Column {
   const char* name;
   const py::object& numbers;

@@ -17,7 +17,7 @@ namespace py = pybind11;
 py::handle input_error_class;
 py::handle output_error_class;
 
-/// Text of ours in which names of files may be no UTF-8: as Python's own errors show it.
+/// Our text as Python's own errors show it: names of files in it may not be UTF-8.
 py::object text_of(std::string_view text) {
   return py::reinterpret_steal<py::object>(PyUnicode_DecodeFSDefaultAndSize(text.data(), py::ssize_t(text.size())));
 }

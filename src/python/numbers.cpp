@@ -8,7 +8,7 @@ namespace {
 
 namespace py = pybind11;
 
-/// Whether an array masks any of its values, or of their members, as those of numpy.ma do.
+/// Whether an array masks any of its values, or of their members, like arrays of numpy.ma.
 bool has_masked_values(const py::handle& array) {
   const py::object mask = py::getattr(array, "mask", py::none());
   if (mask.is_none() || PyCallable_Check(mask.ptr())) return false;  // a method of pandas

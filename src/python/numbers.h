@@ -17,7 +17,7 @@ std::string str_of(const pybind11::object& object);
 /// throws  ValueError for masked values, TypeError for a unit
 void expect_plain_values(const pybind11::handle& object, const std::string& name);
 
-/// An array whose values lie one after the other.
+/// A contiguous array.
 template <typename Real>
 using Numbers = pybind11::array_t<Real, pybind11::array::c_style | pybind11::array::forcecast |
                                             pybind11::detail::npy_api::NPY_ARRAY_ALIGNED_>;
@@ -25,11 +25,11 @@ using Numbers = pybind11::array_t<Real, pybind11::array::c_style | pybind11::arr
 /// An object of real numbers: one, a sequence of them, or an array of any layout and any dtype of real numbers. Text,
 /// dates, complex numbers and objects are refused, though NumPy would make numbers of them.
 ///
-/// returns  what Numbers take
-/// throws   TypeError; what expect_plain_values() throws
+/// returns  an object that Numbers accepts
+/// throws   TypeError; like expect_plain_values()
 pybind11::object expect_numbers(const pybind11::object& object, const std::string& name);
 
-/// Real numbers as expect_numbers() takes them. An array that already is what is returned is not copied.
+/// Real numbers as in expect_numbers(). An array that already fits is not copied.
 template <typename Real = double>
 Numbers<Real> take_numbers(const pybind11::object& object, const std::string& name) {
   return Numbers<Real>::ensure(expect_numbers(object, name));

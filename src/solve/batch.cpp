@@ -21,10 +21,10 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 // The method is that of solve.cpp, a vector of lights at a time, with these differences:
 // - The stationary point is sought in float for both precisions: a guess within 3 %, then a single step. The height is
-//   stationary there, so float needs no more; double adds what a Newton step gains, without another exponential.
+//   stationary there, so float needs no more; double adds the gain of a Newton step, without another exponential.
 // - Knee and extent are found only where the stationary point asks for them: with D the denominator there, the peak is
 //   at the knee where D <= 1 and at the extent where D >= 1 / threshold.
-// - Limit cases, and lights beyond what the arithmetic holds for, come out as NaN and are handled afterwards.
+// - Limit cases, and lights outside the range of the arithmetic, give NaN and are handled afterwards.
 
 /// A light's value in a column that holds one value per light, or a single value for all lights.
 template <typename T>
@@ -52,7 +52,7 @@ struct Lanes {
   V density;
 };
 
-/// The range at which l r + q r^2 is an excess K: 2 K / (l + sqrt(l^2 + 4 q K)), 0 where K <= 0.
+/// The range at which l r + q r^2 equals an excess K: 2 K / (l + sqrt(l^2 + 4 q K)); 0 if K <= 0.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V level_root(D d, V excess, V linear, V quadratic) {
   const V twice = hn::Add(excess, excess);
@@ -128,7 +128,7 @@ constexpr double kMaxExponent = 64;  ///< no peak lies beyond, and 1 - e^-64 is 
 template <class V>
 struct ReducedExponent {
   V scale;        ///< 2^n, or 2^-n
-  Split<V> rest;  ///< u - n ln 2; its low part lacks what u itself lacks
+  Split<V> rest;  ///< u - n ln 2; its low part lacks the rounding of u
 };
 
 enum class Sign { plus, minus };
@@ -139,7 +139,7 @@ HWY_INLINE ReducedExponent<V> reduce_exponent(D d, V u) {
   constexpr bool kIsFloat = sizeof(T) == 4;
   constexpr T kLn2High = kIsFloat ? T(0x1.62ep-1) : T(0x1.62e42feep-1);  // short: n times it is exact
   constexpr T kLn2Low = kIsFloat ? T(0x1.0bfbe8e7bcd5ep-15) : T(0x1.a39ef35793c76p-33);
-  constexpr T kExponentOne = kIsFloat ? T(0x1.8p+23) : T(0x1.8p+52);  // added to n: n stands in the lowest bits
+  constexpr T kExponentOne = kIsFloat ? T(0x1.8p+23) : T(0x1.8p+52);  // added to n, puts n into the lowest bits
   constexpr int kMantissaBits = kIsFloat ? 23 : 52;
   const hn::RebindToUnsigned<D> di;
   const V n = hn::Round(hn::Mul(u, hn::Set(d, T(1.4426950408889634))));  // to the nearest in every rounding mode
@@ -163,7 +163,7 @@ HWY_INLINE V exponential_remainder(D d, V f) {
   return sum;
 }
 
-/// p(u) = e^u - 1 - u to 2e-6 of itself, for 0 <= u <= kMaxExponent.
+/// p(u) = e^u - 1 - u, relative error 2e-6, for 0 <= u <= kMaxExponent.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF expm1_minus_argument(DF df, VF u) {
   const auto [scale, rest] = reduce_exponent<Sign::plus>(df, u);
@@ -173,7 +173,7 @@ HWY_INLINE VF expm1_minus_argument(DF df, VF u) {
   return hn::MulAdd(hn::Mul(scaled, f), exponential_remainder(df, f), below);
 }
 
-/// What fog does to light over a depth.
+/// Opacity and transmittance of fog of an optical depth.
 template <class V>
 struct FogLoss {
   Split<V> opacity;  ///< 1 - e^-depth, without cancellation
@@ -192,7 +192,7 @@ HWY_INLINE FogLoss<V> fog_loss_at(D d, const Split<V>& depth) {
           hn::NegMulAdd(scale, hn::Add(rest.high, bend), scale)};
 }
 
-/// log(1 + x) for x >= 0 to 2.4e-3 of itself: enough for a guess.
+/// log(1 + x) for x >= 0, relative error 2.4e-3: enough for a guess.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF rough_log1p(DF df, VF x) {
   const hn::RebindToSigned<DF> di;
@@ -221,7 +221,7 @@ HWY_INLINE VF rough_log(DF df, VF y) {
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF rough_cube_root(DF df, VF x) {
   const hn::RebindToSigned<DF> di;
-  const auto bits = hn::BitCast(di, hn::Abs(x));  // those of -0 are far from those of 0
+  const auto bits = hn::BitCast(di, hn::Abs(x));  // the bits of -0 are far from those of 0
   const VF third = hn::Mul(hn::ConvertTo(df, bits), hn::Set(df, 1.0f / 3));
   return hn::BitCast(df, hn::Add(hn::ConvertTo(di, third), hn::Set(di, batch_guess::kCubeRootBits)));
 }
@@ -243,7 +243,7 @@ HWY_INLINE VF rough_sqrt(DF df, VF x) {
   return hn::Mul(x, hn::ApproximateReciprocalSqrt(hn::Max(x, hn::Set(df, 1e-37f))));
 }
 
-/// u with e^u - 1 - u = z, to 3e-3 of itself. The first two terms for small z are right, and the logarithm for large z.
+/// u with e^u - 1 - u = z, relative error 3e-3. Right in the first two terms for small z, in the logarithm for large z.
 template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF guess_depth(DF df, VF z) {
   const VF one = hn::Set(df, 1.0f);
@@ -259,7 +259,7 @@ HWY_INLINE VF guess_stationary_exp(DF df, VF constant, VF a, VF b) {
   const VF two_b = hn::Add(b, b);
   const VF reciprocal = hn::ApproximateReciprocal(hn::Add(a, two_b));
   const VF x = guess_depth(df, hn::Mul(constant, reciprocal));
-  // Right where b = 0; else too large.
+  // Right if b = 0, else too large.
   const VF weight = hn::Mul(two_b, reciprocal);
   const VF damping = hn::MulAdd(weight, hn::Set(df, batch_guess::kExpDampingByWeight),
                                 hn::Add(x, hn::Set(df, batch_guess::kExpDamping)));
@@ -271,10 +271,10 @@ template <class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF guess_stationary_exp2(DF df, VF constant, VF a, VF b) {
   const VF two_c = hn::Add(constant, constant);
   const VF two_b = hn::Add(b, b);
-  // p(x^2) = x (2 C + a x) / (a + 2 b x): x = 1 on the right gives a first x, that one the guess.
+  // p(x^2) = x (2 C + a x) / (a + 2 b x): x = 1 on the right gives a first x, which on the right gives the guess.
   const VF z = rough_quotient(df, hn::Add(two_c, a), hn::Add(a, two_b));
   const VF far = rough_sqrt(df, rough_log(df, hn::Add(hn::Add(z, hn::Set(df, 1.0f)), rough_sqrt(df, hn::Add(z, z)))));
-  // Where x is small: x^4 = p x + q with p = a / b, q = 2 C / b, and (p^(4/3) + q)^(1/4) is near.
+  // For small x: x^4 = p x + q with p = a / b, q = 2 C / b, and (p^(4/3) + q)^(1/4) is near.
   const VF reciprocal = hn::ApproximateReciprocal(hn::Max(b, hn::Set(df, 1e-30f)));
   const VF p = hn::Min(hn::Mul(a, reciprocal), hn::Set(df, 1e20f));
   const VF q = hn::Min(hn::Mul(two_c, reciprocal), hn::Set(df, 1e30f));
@@ -330,12 +330,12 @@ HWY_INLINE Slope<VF> slope_exp2(DF df, VF constant, VF a, VF b, VF x) {
 }
 
 enum class Step {
-  halley,      ///< leaves the third power of what a guess lacks, to the 4e-4 of rough_quotient
+  halley,      ///< leaves the third power of a guess's error, to the 4e-4 of rough_quotient
   householder  ///< the fourth power
 };
 
 /// x = d r of the stationary point, in float, by one step from a guess within 3 %: to 4e-5 by Halley's, 3e-6 by
-/// Householder's. 0 where there is none, NaN where the guess was further off.
+/// Householder's. 0 if there is none, NaN if the guess was farther off.
 template <FogMode kMode, Step kStep, class DF, class VF = hn::Vec<DF>>
 HWY_INLINE VF find_stationary(DF df, VF constant, VF a, VF b, VF x) {
   const VF one = hn::Set(df, 1.0f);
@@ -354,7 +354,7 @@ HWY_INLINE VF find_stationary(DF df, VF constant, VF a, VF b, VF x) {
     move = hn::MulAdd(newton, rough_quotient(df, bent, hn::Sub(hn::Sub(one, half), bent)), newton);
   }
   if constexpr (kMode == FogMode::exp2) move = hn::Mul(move, x);
-  // At large x a step leaves some x^2 times as much. At the least ones solve_peak's slope cancels in double.
+  // At large x a step leaves about x^2 times as much. At the smallest x, solve_peak's slope cancels in double.
   constexpr float kLeast = kStep == Step::halley ? 0 : kMode == FogMode::exp ? 1e-7f : 3e-4f;
   const auto is_near =
       hn::And(hn::Lt(hn::Mul(hn::Abs(move), hn::MulAdd(x, hn::Set(df, 0.1f), one)), hn::Mul(x, hn::Set(df, 0.03f))),
@@ -370,7 +370,7 @@ struct Solved {
   V peak_range;
 };
 
-/// The range at which the attenuation falls to a level, to half the precision of the type; 0 where it starts below it.
+/// The range at which the attenuation falls to a level, to half the precision of the type; 0 if it starts below.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V rough_level_range(D d, const Lanes<V>& in, V level) {
   const V excess = minus_product(d, hn::Set(d, 1), in.constant, level);
@@ -386,7 +386,7 @@ HWY_INLINE V level_correction(D d, const Lanes<V>& in, V level, V range, const S
   return rough_quotient(d, residual, hn::Max(slope, hn::Set(d, T(1e-37))));
 }
 
-/// By how much a light begins above its threshold, over 1 / threshold. A product that only rounds to 1 leaves some.
+/// A light's excess over its threshold at range 0, over 1 / threshold. A product that only rounds to 1 leaves some.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE V excess_of(D d, const Lanes<V>& in) {
   return minus_product(d, hn::Set(d, 1), in.constant, in.threshold);
@@ -407,16 +407,15 @@ HWY_INLINE V solve_extent(D d, const Lanes<V>& in) {
   return hn::IfThenZeroElse(is_dark(d, in), extent);
 }
 
-/// Where the peak is: at a level of the attenuation (1 at the knee, the threshold at the extent), or stationary: level
-/// 0. The range lacks its correction.
+/// The peak: at a level of the attenuation (1 at the knee, the threshold at the extent), or stationary (level 0). The
+/// range is not yet corrected.
 template <class V>
 struct Peak {
   V level;
   V range;
 };
 
-/// In double the stationary point has this relative error until solve_peak corrects it; a level as near counts as
-/// reached.
+/// Relative error of the stationary point in double until solve_peak corrects it. A level as near counts as reached.
 constexpr double kRoughness = 4e-6;
 
 template <class D, class V = hn::Vec<D>>
@@ -435,7 +434,7 @@ HWY_INLINE Peak<V> place_peak(D d, const Lanes<V>& in, V stationary) {
   return {hn::IfThenElseZero(at_level, level), hn::IfThenElse(at_level, rough_level_range(d, in, level), stationary)};
 }
 
-/// The intensity at the peak, of lights that are no limit case. The peak range is NaN where it was not found.
+/// The intensity at the peak, for lights that are no limit case. The peak range is NaN if it was not found.
 template <FogMode kMode, class D, class V = hn::Vec<D>>
 HWY_INLINE Solved<V> solve_peak(D d, const Lanes<V>& in, const Peak<V>& peak) {
   using T = hn::TFromD<D>;
@@ -462,8 +461,8 @@ HWY_INLINE Solved<V> solve_peak(D d, const Lanes<V>& in, const Peak<V>& peak) {
   V peak_range = hn::Add(range, correction);
   V gain = zero;
   if constexpr (sizeof(T) == 8) {
-    // The rough stationary point is one Newton step from the true one, and the height half that step's slope from its
-    // own: what is left is the cube of the roughness. From a level the step may only lead back inside.
+    // The rough stationary point is one Newton step from the true one, and its height is half that step's slope from
+    // the peak's: the cube of the roughness is left. From a level the step may only lead back inside.
     const V curve = hn::Mul(in.quadratic, range);
     const V growth = hn::Add(in.linear, hn::Add(curve, curve));
     V fading;  // opacity'
@@ -492,8 +491,8 @@ HWY_INLINE Solved<V> solve_peak(D d, const Lanes<V>& in, const Peak<V>& peak) {
   return {hn::Min(intensity, one), peak_range};  // rounding upward may exceed 1
 }
 
-/// Squares and cubes of what is within these limits stay within float's range. NaN is outside all of them; the sum of
-/// the coefficients is NaN, infinite or 0 where they may not be.
+/// Within these limits squares and cubes stay within float's range. NaN is outside all limits. The sum of the
+/// coefficients is NaN, infinite or 0 if they are invalid.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_safe(D d, const Lanes<V>& in, hn::Mask<D> has_safe_fall) {
   using T = hn::TFromD<D>;
@@ -511,8 +510,8 @@ HWY_INLINE hn::Mask<D> has_least_fall(D d, V fall) {
   return hn::Ge(fall, hn::Set(d, hn::TFromD<D>(0x1p-30)));
 }
 
-/// The lights that solve_peak holds for. Of those that are barely lit the denominator's digits cancel; at a threshold
-/// next to 1 the knee and the extent are both within kRoughness of the stationary point.
+/// The lights for which solve_peak is valid. For barely lit lights the denominator's digits cancel; at a threshold next
+/// to 1 the knee and the extent are both within kRoughness of the stationary point.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_ordinary(D d, const Lanes<V>& in) {
   using T = hn::TFromD<D>;
@@ -523,8 +522,8 @@ HWY_INLINE hn::Mask<D> is_ordinary(D d, const Lanes<V>& in) {
                  hn::And(hn::Ge(least_excess, hn::Set(d, T(0x1p-10))), is_safe_density));
 }
 
-/// The limit cases among the others: clear air, total fog, constant attenuation, dark lights. The peak range is NaN in
-/// lanes that are none of them, or invalid.
+/// The limit cases among the other lights: clear air, total fog, constant attenuation, dark lights. The peak range is
+/// NaN in all other lanes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Solved<V> solve_limit_cases(D d, const Lanes<V>& in) {
   const V one = hn::Set(d, 1);
@@ -541,7 +540,7 @@ HWY_INLINE Solved<V> solve_limit_cases(D d, const Lanes<V>& in) {
   return {intensity, hn::IfThenElse(is_limit, peak_range, hn::NaN(d))};
 }
 
-/// A column at a light: one value for all where it has a single one.
+/// Loads a column from a light on; a column of a single value gives it to all lanes.
 template <class D, typename T>
 HWY_INLINE hn::Vec<D> load(D d, std::span<const T> column, std::size_t at) {
   return column.size() == 1 ? hn::Set(d, column[0]) : hn::LoadU(d, column.data() + at);
@@ -552,7 +551,7 @@ void store(std::span<T> column, std::size_t at, T value) {
   if (!column.empty()) column[at] = value;
 }
 
-/// One light by the scalar solver: returns whether it is invalid.
+/// Solves one light by the scalar solver. Returns whether it is invalid.
 template <typename T>
 bool solve_one(FogMode mode, const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions, std::size_t at,
                T& peak_range) {
@@ -572,8 +571,8 @@ bool solve_one(FogMode mode, const BasicBatchLights<T>& lights, const BasicBatch
   return is_invalid;
 }
 
-// Lights are solved in blocks, a stage at a time: each stage alone is short enough for the processor to overlap several
-// vectors of it.
+// Lights are solved in blocks, a stage at a time. Each stage is short enough for the processor to overlap several
+// vectors.
 constexpr std::size_t kBlock = 256;
 
 /// x of the stationary points of a block's lights, in float.
@@ -638,7 +637,8 @@ HWY_INLINE void find_stationary_ranges(const BasicBatchLights<double>& lights, s
   }
 }
 
-/// What solve_block leaves: limit cases in vectors, the rest by the scalar solver. Returns how many are invalid.
+/// Solves what solve_block leaves: limit cases in vectors, the rest by the scalar solver. Returns the number of invalid
+/// lights.
 template <FogMode kMode, typename T>
 HWY_NOINLINE std::size_t solve_rest(const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions,
                                     std::size_t begin, std::size_t count, T* ranges) {
@@ -659,7 +659,7 @@ HWY_NOINLINE std::size_t solve_rest(const BasicBatchLights<T>& lights, const Bas
   return invalid;
 }
 
-/// A block of whole vectors.
+/// Solves a block of whole vectors.
 template <FogMode kMode, typename T>
 HWY_INLINE std::size_t solve_block(const BasicBatchLights<T>& lights, const BasicBatchSolutions<T>& solutions,
                                    std::size_t begin, std::size_t count) {

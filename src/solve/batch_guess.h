@@ -2,8 +2,8 @@
 #pragma once
 
 // Constants of the batch's first guesses. A step of third order or more follows each guess, so the guess need only be
-// near: the constants were fitted by hand to two or three digits. For each constant batch_guess_test.cpp computes the
-// largest relative error of its formula and the smallest such error for any value of the constant, and asserts the
+// near: the constants were fitted by hand to two or three digits. For each constant batch_guess_test.cpp computes its
+// formula's largest relative error, and the smallest such error for any value of the constant, and asserts the
 // statements here.
 
 namespace litfog::batch_guess {
@@ -12,8 +12,8 @@ namespace litfog::batch_guess {
 /// the true value at 1. Error 2.4e-3.
 inline constexpr float kLog1p[] = {-0.48625f, 0.2625f, -0.0831f};
 
-/// x^(1/3) has a third of x's bits, read as an integer, plus two thirds of those of 1 (710235477.3), minus what
-/// balances the error of the bits as a logarithm. Error 3.5 %; no other value gains a fifth.
+/// The bits of x^(1/3), read as an integer, are a third of those of x plus two thirds of those of 1 (710235477.3),
+/// minus a balance for the error of the bits as a logarithm. Error 3.5 %; no other value gains a fifth.
 inline constexpr int kCubeRootBits = 709921077;
 
 /// e^u - 1 - u = z at u = log(1 + s + z (1 - 1 / (3 + 3 k s))), s = sqrt(2 z): the series in s for small z, log z for

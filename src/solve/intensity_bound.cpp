@@ -14,13 +14,13 @@ namespace {
 
 using Limits = std::numeric_limits<double>;
 
-/// Raised by the header's margin, and to the next double in case that x is subnormal.
+/// x raised by the header's margin, and to the next double in case x is subnormal.
 double raise(long double x) {
   constexpr double kMargin = 8 * kBatchIntensityMaxUlp * Limits::epsilon();
   return std::nextafter(double(x * (1 + kMargin)), Limits::infinity());
 }
 
-/// The supremum of r a(r) over [0, extent] for a light that ends somewhere.
+/// The supremum of r a(r) over [0, extent] for a light with an end.
 long double find_exp_reach(const BasicAttenuation<long double>& attenuation, long double extent) {
   const auto [constant, linear, quadratic] = attenuation;
   const long double knee = level_range(attenuation, 1.0L).high;
@@ -44,7 +44,7 @@ IntensityBound::IntensityBound(const Attenuation& attenuation, double threshold)
 }
 
 double IntensityBound::at(const Fog& fog) const {
-  if (fog.density == 0 || highest_attenuation_ == 0) return 0;  // infinity * 0 is no value
+  if (fog.density == 0 || highest_attenuation_ == 0) return 0;  // infinity * 0 is NaN
   const double depth = fog.density * (fog.mode == FogMode::exp ? exp_reach_ : exp2_reach_);
   // One subnormal more: the products may be rounded down to 0.
   return std::min(highest_attenuation_, (fog.mode == FogMode::exp ? depth : depth * depth) + Limits::denorm_min());

@@ -18,14 +18,14 @@
 // fog and x^2 in exp2 fog.
 //
 // 1. A guess of the stationary point. Where it is clearly beyond the extent or below the knee, the peak is there.
-// 2. What the fog does to light over the guess's depth, by the only exponential, and the denominator there, both to
-//    more digits than double has.
+// 2. Opacity and transmittance at the guess's depth, by the only exponential, and the denominator there, both to more
+//    digits than double has.
 // 3. A step by the slope's series, reversed to fifth order: it ends within 1e-8 of the peak, whose height is then
 //    exact. A step over the extent or the knee ends there.
-// 4. What e^-u and the denominator change over the step, by short polynomials.
+// 4. The change of e^-u and of the denominator over the step, by short polynomials.
 //
-// Each target computes the same digits, because no operation here rounds otherwise on one: nothing is contracted, and
-// std::fma is exact everywhere. What the targets gain is fewer and shorter instructions.
+// All targets compute the same digits, because every operation here rounds the same on each: nothing is contracted, and
+// std::fma is exact everywhere. The targets gain fewer and shorter instructions.
 
 HWY_BEFORE_NAMESPACE();
 namespace litfog::HWY_NAMESPACE {
@@ -49,21 +49,21 @@ HWY_INLINE Split<double> fast_two_sum(double a, double b) {
   return {sum, b - (sum - a)};
 }
 
-/// What fog does to light over a depth u.
+/// Opacity and transmittance of fog at an optical depth u.
 struct FogLoss {
   Split<double> opacity;  ///< 1 - e^-u
   double fog_factor;      ///< e^-u
   double bend;            ///< 1 - (1 + u) e^-u
 };
 
-/// No peak is sought beyond: 1 - e^-64 is 1.
+/// No peak is sought beyond, because 1 - e^-64 is 1.
 constexpr double kMaxDepth = 64;
 
 HWY_INLINE FogLoss loss_over(const Split<double>& depth) {
   // u = n ln 2 + g with |g| <= ln 2 / 2, to the nearest n in every rounding mode
   constexpr double kLn2 = 0.69314718055994531;
   constexpr double kLn2High = 0x1.62e42feep-1, kLn2Low = 0x1.a39ef35793c76p-33;  // n times the high part is exact
-  constexpr double kInteger = 0x1.8p+52;  // added to n: n stands in the lowest bits
+  constexpr double kInteger = 0x1.8p+52;  // added to n, puts n into the lowest bits
   const hn::CappedTag<double, 1> d;
   const double u = std::min(kMaxDepth, depth.high);
   const double rounding = u < kMaxDepth ? depth.low : 0;
@@ -81,7 +81,7 @@ HWY_INLINE FogLoss loss_over(const Split<double>& depth) {
   const Split<double> sum = fast_two_sum(1 - scale, scale * high);
   const double rest = (low + rounding * (1 - g)) - curve;
   const Split<double> opacity = fast_two_sum(sum.high, sum.low + scale * rest);
-  // The bend's first term, too, is exactly 0 where n = 0, and nothing cancels.
+  // The bend's first term is also exactly 0 if n = 0, and nothing cancels.
   const double bend = (1 - scale * (1 + n * kLn2)) + scale * (u * g - (1 + u) * curve);
   return {opacity, scale - scale * (high + rest), bend};
 }
@@ -144,7 +144,7 @@ HWY_INLINE std::optional<FogIntensity> solve(const Attenuation& asked, double de
   const double c = constant * density * density, a = linear * density, b = quadratic;
   const double metres = 1 / density;
   const double range = metres * (kIsExp ? stationary_guess::guess_exp(c, a, b) : stationary_guess::guess_exp2(c, a, b));
-  constexpr double kClear = 1.015;  // further off than the guess may be
+  constexpr double kClear = 1.015;  // beyond the guess's largest error
   double level = range >= extent.high * kClear ? threshold : is_below_knee(range * kClear) ? 1 : 0;
   if (level > 0) {
     const Split<double> end = level == 1 ? level_range(attenuation, 1.0) : extent;

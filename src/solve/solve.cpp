@@ -13,7 +13,7 @@
 namespace litfog {
 namespace {
 
-/// What solve_by_series leaves is solved in long double, whose exponent has four bits more.
+/// Cases that solve_by_series leaves are solved in long double, whose exponent has four bits more.
 using Wide = long double;
 
 /// The stationary point is sought in x = d r, where the denominator is C + A x + B x^2.
@@ -31,7 +31,7 @@ Wide expm1_minus_argument(Wide u) {
   return sum * u * u / 2;
 }
 
-/// A function that is negative below the stationary point and positive beyond, with two derivatives.
+/// A function that is negative below the stationary point and positive beyond it, with two derivatives.
 struct Slope {
   Wide value;
   Wide first;
@@ -60,7 +60,7 @@ Slope slope_exp2(const ScaledDenominator& d, Wide x) {
           2 * x * (e1 + 1) * growth + 2 * e1 * (d.quadratic + half / w)};
 }
 
-/// u with e^u - 1 - u = z to within a few percent: right for small and for large z, good between.
+/// u with e^u - 1 - u = z within a few percent: right for small and for large z, good between.
 Wide guess_depth(Wide z) { return std::log1p(z + std::sqrt(2 * z)); }
 
 Wide guess_stationary_exp(const ScaledDenominator& d) { return guess_depth(d.constant / (d.linear + 2 * d.quadratic)); }
@@ -99,7 +99,7 @@ Root find_sign_change(const SlopeAt& slope_at, Wide guess, Wide upper) {
   return {x, is_close ? SolveStatus::ok : SolveStatus::not_converged};
 }
 
-/// Where the derivative of opacity * 1/D vanishes, in x = d r; 0 where it is negative from the start (C = 0).
+/// The x = d r at which the derivative of opacity * 1/D vanishes; 0 if it is negative from the start (C = 0).
 Root find_stationary_point(const BasicAttenuation<Wide>& attenuation, FogMode mode, Wide density) {
   const ScaledDenominator d{attenuation.constant, attenuation.linear / density,
                             attenuation.quadratic / density / density};
@@ -113,7 +113,7 @@ Root find_stationary_point(const BasicAttenuation<Wide>& attenuation, FogMode mo
   return find_sign_change([&](Wide x) { return slope_exp2(d, x); }, guess_stationary_exp2(d), std::sqrt(kMaxDepth));
 }
 
-/// The solve proper, for 0 < density < infinity and a light that ends somewhere.
+/// The solve proper, for 0 < density < infinity and a light with an end.
 FogIntensity solve_wide(const Attenuation& asked, const Fog& fog, double threshold) {
   const auto attenuation = convert<Wide>(asked);
   const Wide density = fog.density;
@@ -139,7 +139,7 @@ bool is_limit_case(const Attenuation& attenuation, const Fog& fog) {
   return fog.density == 0 || std::isinf(fog.density) || (attenuation.linear == 0 && attenuation.quadratic == 0);
 }
 
-/// What solve_by_series takes.
+/// Whether solve_by_series takes the arguments.
 bool is_series_case(const Attenuation& attenuation, const Fog& fog, double threshold) {
   const auto [constant, linear, quadratic] = attenuation;
   return is_in_safe_range(constant, linear, quadratic, fog.density, threshold) && linear + quadratic > 0 &&

@@ -30,12 +30,12 @@ HWY_INLINE double root_of(std::int64_t bits, double offset) {
   return std::bit_cast<double>(bits + (bits_of(1) + std::int64_t(offset * kUnit)));
 }
 
-/// log(1 + x) for x >= 0 to 2.4e-3 of itself.
+/// log(1 + x) for x >= 0, relative error 2.4e-3.
 HWY_INLINE double rough_log1p(double x) {
   const std::int64_t bits = bits_of(1 + x);
   const double exponent = double(int((bits >> 52) - 1023));
   const double mantissa = std::bit_cast<double>((bits & 0x000fffffffffffff) | bits_of(1)) - 1;
-  const double m = std::min(x, mantissa + 0x1p-51);  // below 1 it is x, which may vanish beside 1
+  const double m = std::min(x, mantissa + 0x1p-51);  // below 1 it is x, which 1 + x may lose
   return exponent * 0.69314718055994531 + m * ((1 - 0.48625 * m) + m * m * (0.2625 - 0.0831 * m));
 }
 

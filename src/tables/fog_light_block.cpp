@@ -13,8 +13,8 @@
 namespace litfog {
 namespace {
 
-/// A value as a float, without the two that a shader may stumble over: infinity, of which the product with 0 is NaN, as
-/// the largest float; -0 as 0.
+/// A value as a float, without two that may harm a shader: infinity, whose product with 0 is NaN, becomes the largest
+/// float; -0 becomes 0.
 float finite_float(double x) {
   constexpr double kMax = std::numeric_limits<float>::max();
   return float(std::clamp(x, -kMax, kMax)) + 0.0f;
@@ -55,7 +55,7 @@ FogHeader pack_fog_header(const Atmosphere& atmosphere, std::size_t instances) {
   require_fog_light_count("instances", instances);
   const Fog& fog = atmosphere.fog;
   const auto phase = phase_text::pack<double>(atmosphere.phase);
-  // (1 - g)^2 of the largest float g below 1: the power 3/2 of less would be 0 in floats.
+  // (1 - g)^2 for the largest float g below 1: the power 3/2 of less would be 0 in floats.
   static constexpr double kLeastBase = 0x1p-48;
   const auto floats = [](const phase_text::PackedLobe<double>& lobe) {
     return glm::vec4(std::max(lobe.base, kLeastBase), lobe.slope, lobe.scale, lobe.alpha);

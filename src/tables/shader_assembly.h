@@ -11,14 +11,14 @@
 
 namespace litfog {
 
-/// Puts a shader together from files, for drivers that know no `#include "name"`: each such line becomes the file, the
-/// first time. `#line` keeps each file's own line numbers, by the file's index in names().
+/// Assembles a shader from files, for drivers without `#include "name"`: the first such line of a file is replaced by
+/// the file. `#line` keeps each file's own line numbers, by the file's index in names().
 class ShaderAssembly {
  public:
-  /// text_of  the text of a file, by its name; throws where there is none
+  /// text_of  gets a file's text by its name; throws if there is none
   explicit ShaderAssembly(std::function<std::string_view(std::string_view)> text_of) : text_of_(std::move(text_of)) {}
 
-  /// Adds a line that belongs to no file, such as `#version`.
+  /// Adds a line outside of any file, such as `#version`.
   void add_line(std::string_view line) { text_.append(line).append("\n"); }
 
   /// Adds a file, unless it was added before.
@@ -28,7 +28,7 @@ class ShaderAssembly {
     add_source(name, text_of_(name));
   }
 
-  /// Adds the text of a file that text_of need not know. No `#line` stands before it, because `#version` may begin it.
+  /// Adds the text of a file that text_of need not know. No `#line` precedes it, because `#version` may begin it.
   void add_source(std::string_view name, std::string_view source) {
     const std::size_t file = names_.size();
     names_.push_back(name);

@@ -15,7 +15,7 @@ inline std::string lower(std::string_view text) {
   return result;
 }
 
-/// A text without the white space around it. For a text of white space alone, its empty end.
+/// A text without the white space around it. For a text of only white space, its empty end.
 constexpr std::string_view trimmed(std::string_view text) {
   constexpr std::string_view kBlank = " \t\r\n";
   const auto begin = std::min(text.find_first_not_of(kBlank), text.size());

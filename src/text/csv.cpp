@@ -90,7 +90,7 @@ bool CsvReader::read(CsvRecord& record) {
     if (taken == kEnd || byte == '\n' || (byte == '\r' && peek() == '\n')) {
       if (state == State::quoted) {
         note_error("quote must be closed on its line", record.fields_.back().location);
-        record.raw_ += '"';  // so that what is written behind stays outside
+        record.raw_ += '"';  // so that text written after it stays outside
       }
       if (byte == '\r') {
         record.ends_in_crlf_ = true;
@@ -98,7 +98,7 @@ bool CsvReader::read(CsvRecord& record) {
       }
       break;
     }
-    if (record.raw_.size() == kMaxRecord || record.fields_.size() > kMaxFields) {  // read on, but hold nothing of it
+    if (record.raw_.size() == kMaxRecord || record.fields_.size() > kMaxFields) {  // reads on without storing
       if (too_long == nullptr) {
         too_long = record.raw_.size() == kMaxRecord ? "record must not be longer than 1 MiB"
                                                     : "record must not have more than 65,536 fields";

@@ -14,8 +14,8 @@ namespace litfog {
 /// newlines, so that a quote left open spoils one record. Lines end in LF or CRLF; the last line may lack its end. A
 /// byte order mark at the start is skipped. Quotes within an unquoted field are plain text.
 ///
-/// Our own reader, because the packaged ones do not suffice. libcsv keeps no locations, drops the quotes of a field
-/// (pass-through columns keep theirs) and grows its buffer without limit. libfccp wants its columns at compile time.
+/// Our own reader, because the packaged ones do not suffice. libcsv keeps no locations, drops a field's quotes, which
+/// pass-through columns keep, and grows its buffer without limit. libfccp needs its columns at compile time.
 
 /// Location in a text, from 1; a column is a code point.
 struct CsvLocation {
@@ -37,7 +37,7 @@ class CsvRecord {
   bool is_blank() const { return raw_.empty() && error_ == nullptr; }
   bool ends_in_crlf() const { return ends_in_crlf_; }
 
-  /// What is wrong with the record, or null. One that is too long has lost its fields.
+  /// The record's error, or null. A record that is too long has lost its fields.
   const char* error() const { return error_; }
   CsvLocation error_location() const { return error_location_; }
 
@@ -62,11 +62,11 @@ class CsvRecord {
 class CsvReader {
  public:
   /// file       stays the caller's
-  /// name       stands in messages
-  /// separator  between fields: a comma, or as spreadsheets of other languages write it, a semicolon
+  /// name       for messages
+  /// separator  between fields: a comma, or a semicolon from spreadsheets in other languages
   CsvReader(std::FILE* file, std::string name, char separator = ',');
 
-  /// The next record, or false at the end. Throws InputError where the file cannot be read.
+  /// Reads the next record; false at the end. Throws InputError if the file cannot be read.
   bool read(CsvRecord& record);
 
   const std::string& name() const { return name_; }
@@ -87,7 +87,7 @@ class CsvReader {
   CsvLocation location_;
 };
 
-/// A text as a CSV field, in quotes where it needs them.
+/// A text as a CSV field, quoted if needed.
 std::string csv_quoted(std::string_view text);
 
 }  // namespace litfog

@@ -34,7 +34,7 @@ void expect_no_device(const std::string& path) {
   if (fs::is_character_file(status) || fs::is_block_file(status)) fail(path, "Is a device");
 }
 
-/// Whether a pipe has a writer, or has had one since it was opened. For what it took to find out, see the byte.
+/// Whether a pipe has a writer, or has had one since it was opened. A byte read to find out is returned in `byte`.
 bool has_writer(int pipe, std::optional<char>& byte) {
   constexpr int kPatience = 1000;  // milliseconds
   pollfd polled{.fd = pipe, .events = POLLIN, .revents = 0};
@@ -42,12 +42,12 @@ bool has_writer(int pipe, std::optional<char>& byte) {
   char next = 0;
   const ssize_t count = ::read(pipe, &next, 1);
   if (count == 1) byte = next;
-  return count != 0;  // else EAGAIN: there is one, which has written nothing yet
+  return count != 0;  // -1 with EAGAIN: a writer that has written nothing yet
 }
 
-/// A file's first bytes, and whether it has more of them.
+/// A file's first bytes, and whether it has more.
 std::pair<std::string, bool> read(const std::string& path, std::size_t max_bytes) {
-  expect_no_device(path);  // before it is opened, which may already do something to it
+  expect_no_device(path);  // first, because opening a device may have effects
   const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(open_file(path), std::fclose);
   std::string text;
   std::array<char, 65536> chunk;

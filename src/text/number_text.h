@@ -16,8 +16,8 @@ inline std::string number_text(double number) {
   return {text.data(), std::to_chars(text.data(), text.data() + text.size(), number).ptr};
 }
 
-/// A whole text as a number, in any locale: "1", "-2.5e3", ".5", "inf", "nan". Nothing for an empty text, white space,
-/// a leading +, hexadecimal, trailing text, or a number beyond the type.
+/// Parses a whole text as a number, in any locale: "1", "-2.5e3", ".5", "inf", "nan". Nothing for an empty text, white
+/// space, a leading +, hexadecimal, trailing text, or a number beyond the type.
 template <typename Number = double>
 std::optional<Number> whole_number(std::string_view text) {
   Number number{};

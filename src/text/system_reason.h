@@ -6,10 +6,10 @@
 
 namespace litfog {
 
-/// Why a call of the system failed, in its words: "No such file or directory".
+/// Why a system call failed, in the system's words: "No such file or directory".
 ///
-/// error   errno, or what a function stored
-/// throws  std::bad_alloc where memory was short, which is the fault of no file
+/// error   errno, or the error that a function stored
+/// throws  std::bad_alloc if memory was short, which is the fault of no file
 std::string system_reason(int error);
 std::string system_reason(const std::error_code& error);
 

@@ -44,7 +44,7 @@ std::string section(const SceneResult& scene, std::size_t number) {
                 fmt::arg("figures", figures));
 }
 
-/// A path's row of the table, a pair of cells a scene.
+/// A path's row of the table: a pair of cells per scene.
 std::string row(const render::LightingPath& path, const std::vector<SceneResult>& scenes) {
   std::string html = fmt::format("<tr><th scope=\"row\">{}</th>", html_text(path.name));
   for (const SceneResult& scene : scenes) {

@@ -17,16 +17,16 @@ struct PageText {
 
 std::span<const PageText> page_texts();
 
-/// A file of apps/demo/compare/page without its first line, the licence.
+/// The text of a file of apps/demo/compare/page without its first line, the licence.
 std::string_view page_text(std::string_view name);
 
-/// Such a file, with its {fields} filled in.
+/// page_text() with its {fields} filled in.
 template <typename... Arguments>
 std::string filled(std::string_view name, const Arguments&... arguments) {
   return fmt::format(fmt::runtime(page_text(name)), arguments...);
 }
 
-/// An error or a difference of pictures, in 1/255.
+/// Formats an error or a difference of pictures, in 1/255.
 std::string error_text(double error);
 
 /// The heat map's colours as a gradient of CSS.

@@ -9,10 +9,10 @@
 
 namespace litfog::demo {
 
-/// What a lighting path made of a scene. Errors are in 1/255 against the path's own reference.
+/// A scene drawn by a lighting path. Errors are in 1/255 against the path's own reference.
 struct PathResult {
   const render::LightingPath* path;
-  double milliseconds;  ///< a frame, the median
+  double milliseconds;  ///< median per frame
   double spread;        ///< frame times from the 10th to the 90th percentile
   double over_legacy;   ///< milliseconds over the legacy path's
   double largest_error;
@@ -20,11 +20,11 @@ struct PathResult {
   std::size_t excluded;  ///< pixels
 };
 
-/// What all paths made of a scene, and the names of their pictures' files.
+/// A scene drawn by all paths, and the names of the picture files.
 struct SceneResult {
   std::string name;
   std::string description;
-  std::string conditions;  ///< text: the fog, and the display where it is not the default
+  std::string conditions;  ///< text: the fog, and the display if not the default
   std::size_t lights;
   std::vector<PathResult> paths = {};  ///< the default path first
 
@@ -35,54 +35,54 @@ struct SceneResult {
   std::string sheet_file() const;
 };
 
-/// Names of all pictures of a scene.
+/// File names of all pictures of a scene.
 std::vector<std::string> picture_files(const std::string& scene);
 
-/// What the results of a page have in common.
+/// Facts common to all results of a page.
 struct PageFacts {
   std::string machine;  ///< text: what drew the pictures
   int width;            ///< pixels
   int height;
-  int frames;            ///< timed of each path
+  int frames;            ///< number timed for each path
   std::string settings;  ///< text: skipping, viewer, light maps
 };
 
-/// An HTML page that shows the results beside their pictures, which lie in its folder. It needs nothing else, no
-/// network and no script.
+/// An HTML page that shows the results beside their pictures, which lie in its folder. Needs neither network nor
+/// script.
 std::string comparison_page(const PageFacts& facts, const std::vector<SceneResult>& scenes);
 
 /// A scene drawn in one of the settings that a page compares.
 struct SettingResult {
   std::string text;     ///< as given: "visibility=50 path=vertex"
-  double milliseconds;  ///< a frame, the median
+  double milliseconds;  ///< median per frame
   double spread;        ///< frame times from the 10th to the 90th percentile
   std::string png;      ///< the picture as a file
 };
 
-/// How far the pictures of two settings are apart, in 1/255.
+/// The difference between the pictures of two settings, in 1/255.
 struct PairResult {
   std::size_t first;
   std::size_t second;  ///< > first
   double largest;
   double mean;
-  std::string png;  ///< the heat map, of the pictures' size, as a file
+  std::string png;  ///< the heat map as a file, of the pictures' size
 };
 
-/// What the settings of a page have in common.
+/// Facts common to all settings of a page.
 struct SettingsFacts {
   std::string title;    ///< text: the scene
   std::string machine;  ///< text: what drew the pictures
   int width;            ///< pixels
   int height;
-  int frames;  ///< timed of each setting
+  int frames;  ///< number timed for each setting
 };
 
-/// An HTML page that shows the pictures of any two settings on each other: flips them, wipes from one to the other,
-/// shows their difference, and zooms to pixels and their values. It is a single file, pictures and script included, and
-/// opens from a disk without a network.
+/// An HTML page that compares the pictures of any two settings: flips them, wipes from one to the other, shows their
+/// difference, and zooms to pixels and their values. A single file with pictures and script, which opens from a disk
+/// without a network.
 ///
 /// settings  two or more
-/// pairs     of all settings, the first one's with each other one first and in their order
+/// pairs     of all settings, first the pairs of the first setting, in order
 std::string settings_page(const SettingsFacts& facts, const std::vector<SettingResult>& settings,
                           const std::vector<PairResult>& pairs);
 

@@ -67,7 +67,7 @@ std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<re
   return measure::time_frames(draws, measure::FrameBudget::exactly(frames), progress);
 }
 
-/// How each path's picture is shown. Chooses an automatic exposure by the first path's picture and gives it to all
+/// The display of each path's picture. Chooses an automatic exposure by the first path's picture and sets it in all
 /// renderers.
 std::vector<drawing::Display> set_exposures(const std::vector<std::unique_ptr<render::Renderer>>& renderers,
                                             const scene::Scene& scene, const drawing::DisplayOptions& options) {
@@ -93,7 +93,7 @@ PathResult result_of(const render::LightingPath& path, const measure::FrameTimes
           .excluded = error.excluded};
 }
 
-/// Reports a path's result, writes its pictures and adds what it has drawn to the scene's sheet.
+/// Reports a path's result, writes its pictures and adds its picture to the scene's sheet.
 ///
 /// reference, drawn  as a display shows them
 void show_path(const SceneResult& scene, const PathResult& result, const measure::PictureError& picture_error,
@@ -129,7 +129,7 @@ SceneResult compare_scene(const scene::Scene& scene, drawing::PictureFolder& pic
   const std::vector<drawing::Display> displays = set_exposures(renderers, scene, options.display);
   if (const std::string words = drawing::display_in_words(displays.front()); !words.empty())
     result.conditions += ", " + words;
-  pictures.finish();  // encoding would take time from the frames
+  pictures.finish();  // encoding in the background would slow the frames
   const std::vector<measure::FrameTimes> times = time_paths(renderers, frames, progress);
   const auto paths = render::lighting_paths();
   const auto legacy = std::size_t(render::find_lighting_path("legacy") - paths.data());

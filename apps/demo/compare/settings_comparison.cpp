@@ -55,14 +55,14 @@ std::vector<std::string> arguments_of(const std::string& text, const CLI::App& a
       arguments.insert(arguments.end(), {"--set", word});
     }
   }
-  std::ranges::reverse(arguments);  // as CLI11 takes them
+  std::ranges::reverse(arguments);  // the order that CLI11 takes
   return arguments;
 }
 
-using Unused = std::set<std::string>;  // options of the command line that no setting so far has a use for
+using Unused = std::set<std::string>;  // options of the command line that no setting has used so far
 
-/// Takes from `unused` the command line's options that change the setting's picture: all but those that it states
-/// itself and those without effect on it.
+/// Removes from `unused` the command line's options that change the setting's picture: all except those that the
+/// setting states itself and those without effect on it.
 ///
 /// own  whether the setting states an option itself
 template <typename IsOwn>
@@ -95,7 +95,7 @@ Setting parse_setting(const Setting& base, const std::string& text, Unused& unus
   return setting;
 }
 
-/// An error of a member that was looked for in vain, with the option that the setting's word may have been meant as.
+/// The error of an unknown member, with the option that the setting's word may have meant.
 std::string with_option_hint(const std::string& text, const std::string& error) {
   CLI::App app;
   Setting any;
@@ -113,7 +113,7 @@ std::string with_option_hint(const std::string& text, const std::string& error) 
   return error;
 }
 
-/// Reads the scene of a setting. What is wrong with a view or a member is told with the setting's text.
+/// Reads the scene of a setting. Errors in a view or a member quote the setting's text.
 scene::Scene read_scene_of(const Setting& setting, scene::SceneParts& kept) {
   try {
     return drawing::read_scene(setting.scene, &kept);
@@ -141,10 +141,10 @@ void expect_effects(const std::vector<Setting>& settings, const std::deque<scene
 
 struct SettingRenderer {
   std::unique_ptr<render::Renderer> renderer;
-  drawing::Display display;  // an automatic exposure chosen
+  drawing::Display display;  // an automatic exposure has been chosen
 };
 
-/// An automatic exposure is that of the first setting that has one.
+/// The first setting with an automatic exposure sets it for all.
 std::vector<SettingRenderer> make_renderers(const std::vector<Setting>& settings,
                                             const std::deque<scene::Scene>& scenes) {
   std::vector<SettingRenderer> renderers;
@@ -162,7 +162,7 @@ std::vector<SettingRenderer> make_renderers(const std::vector<Setting>& settings
   return renderers;
 }
 
-/// A picture compared with another, both as a display shows them.
+/// The difference of two displayed pictures.
 measure::PictureError difference(const render::Picture& one, const render::Picture& other) {
   return measure::picture_error(
       other, {.picture = one,
@@ -171,7 +171,7 @@ measure::PictureError difference(const render::Picture& one, const render::Pictu
               .is_at_jump = std::vector<std::uint8_t>(std::size_t(one.width) * std::size_t(one.height))});
 }
 
-/// Each picture with each later one, the pairs of the first picture first.
+/// Compares each picture with each later one, the pairs of the first picture first.
 std::vector<PairResult> compare_pairs(const std::vector<render::Picture>& pictures, const measure::Progress& progress) {
   std::vector<PairResult> pairs;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
@@ -188,7 +188,7 @@ std::vector<PairResult> compare_pairs(const std::vector<render::Picture>& pictur
   return pairs;
 }
 
-/// pairs  those of the first setting first
+/// pairs  the first setting's first
 void report_results(const std::vector<SettingResult>& results, const std::vector<PairResult>& pairs) {
   const std::size_t widest =
       std::ranges::max(results, {}, [](const auto& each) { return each.text.size(); }).text.size();
@@ -228,7 +228,7 @@ std::vector<Setting> parse_settings(const CLI::App& app, const Setting& base, co
 void compare_settings(const std::vector<Setting>& settings, const std::string& folder, const std::string& machine,
                       int frames) {
   const drawing::DrawingOptions& first = settings.front().drawing;
-  std::deque<scene::Scene> scenes;  // which renderers keep the addresses of
+  std::deque<scene::Scene> scenes;  // renderers keep their addresses
   scene::SceneParts kept;
   std::vector<std::string> inputs;
   for (const Setting& setting : settings) {

@@ -18,7 +18,7 @@ namespace {
 using command::data_uri;
 using command::html_text;
 
-/// A text as a string of the script, where "</script>" would end it.
+/// A text as a string of the script. Escapes "<", because "</script>" would end it.
 std::string script_text(const std::string& text) {
   std::string quoted;
   for (const char c : files::json_quoted(command::printable(text))) quoted += c == '<' ? "\\u003c" : std::string(1, c);

@@ -109,7 +109,7 @@ std::string film(const std::string& path, const std::vector<std::string>& frames
       is_webm ? std::vector<std::string>{"-c:v", "libvpx-vp9", "-b:v", "0", "-crf", "24", "-f", "webm"}
               : std::vector<std::string>{"-c:v", "libx264", "-crf", "16", "-f", "mp4"};
   arguments.insert(arguments.end(), coding.begin(), coding.end());
-  arguments.insert(arguments.end(), {"-y", "/dev/stdout"});  // a file, so that ffmpeg can seek in it
+  arguments.insert(arguments.end(), {"-y", "/dev/stdout"});  // a file, in which ffmpeg can seek
   std::string input;
   for (const std::string& frame : frames) input += frame;
   return command::run_program(arguments, input, kRemedy);

@@ -45,7 +45,7 @@ scene::Camera CameraPath::at(double fraction) const {
   const double width = to.seconds - from.seconds;
   const double s = (seconds - from.seconds) / width;
   const auto curve = [&](auto Key::*member) {
-    // Hermite's cubic; an end of the path has its only chord's slope.
+    // Hermite cubic; an end of the path has the slope of its only chord.
     const auto slope = [&](std::size_t key) {
       const Key& before = keys_[key > 0 ? key - 1 : 0];
       const Key& next = keys_[std::min(key + 1, keys_.size() - 1)];

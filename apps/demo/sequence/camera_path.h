@@ -9,8 +9,8 @@
 namespace litfog::demo {
 
 // clang-format off
-/// A camera's way through its keyframes: a smooth curve (cubic, its slope at a keyframe that of the chord between the
-/// neighbours). Files, version 1 (data/schemas has their JSON Schema):
+/// A camera's smooth path through its keyframes: cubic, with the slope at a keyframe of the chord between its
+/// neighbours. Files, version 1 (data/schemas has their JSON Schema):
 ///
 ///     {
 ///       "litfog": "camera-path",
@@ -44,7 +44,7 @@ class CameraPath {
 
 /// Reads a path's file. Throws InputError.
 ///
-/// field_of_view  radians: of keyframes that state none
+/// field_of_view  radians, for keyframes that state none
 CameraPath read_camera_path(const std::string& file, double field_of_view);
 
 }  // namespace litfog::demo

@@ -13,12 +13,12 @@
 namespace litfog::demo {
 namespace {
 
-/// Removes digits that are rounding between decimal ends: 0.3 and 0 instead of 0.30000000000000004 and 3e-17.
+/// Removes digits that come from rounding: 0.3 and 0 instead of 0.30000000000000004 and 3e-17.
 ///
 /// size  of the larger end
 double without_rounding_digits(double number, double size) {
   constexpr double kMaxExactPower = 1e22;                                  // power of ten
-  const double parts = std::pow(10.0, 14 - std::floor(std::log10(size)));  // a unit: 15 digits of the larger end
+  const double parts = std::pow(10.0, 14 - std::floor(std::log10(size)));  // per unit: 15 digits of the larger end
   if (!(parts >= 1 && parts <= kMaxExactPower)) return number;
   return std::round(number * parts) / parts + 0.0;  // no -0
 }
@@ -34,7 +34,7 @@ glm::dvec3 mixed(const glm::dvec3& from, const glm::dvec3& to, double fraction, 
   return {std::lerp(from.x, to.x, fraction), std::lerp(from.y, to.y, fraction), std::lerp(from.z, to.z, fraction)};
 }
 
-/// The two ends of FROM..TO and how many frames a ":N" behind them asks for.
+/// The two ends of FROM..TO and the number of frames of a ":N" after them.
 struct Range {
   std::string from;
   std::string to;

@@ -53,14 +53,14 @@ void add_point_course(CLI::App& app, const std::string& name, std::optional<Cour
 
 MemberCourse parse_member(const std::string& text) {
   MemberCourse member{.change = drawing::parse_change(text), .numbers = {}};
-  scene::changed_member(member.change.member);  // throws where it is none
+  scene::changed_member(member.change.member);  // throws if there is no such member
   if (is_meant_as_course(member.change.value)) {
     member.numbers = parse_course("--set " + member.change.member, member.change.value, kFinite);
   }
   return member;
 }
 
-/// Throws the usage error of a member that is set twice: the later one would hide a change.
+/// Throws the usage error of a member that is set twice, because the later one would hide the earlier.
 void expect_no_member_twice(const std::vector<MemberCourse>& members) {
   std::set<std::string> names;
   for (const MemberCourse& member : members) {
@@ -69,7 +69,7 @@ void expect_no_member_twice(const std::vector<MemberCourse>& members) {
   }
 }
 
-/// How many frames the options agree on.
+/// The number of frames that the options agree on.
 int count_frames(const SequenceOptions& options) {
   expect_no_member_twice(options.members);
   int frames = options.frames;
@@ -97,7 +97,7 @@ int count_frames(const SequenceOptions& options) {
   return frames == 0 ? kDefaultFrames : frames;
 }
 
-/// Whether the number of any member changes whose name has one of these beginnings.
+/// Whether any member changes whose name has one of these beginnings.
 bool change(const std::vector<MemberCourse>& members, std::initializer_list<std::string_view> beginnings) {
   return std::ranges::any_of(members, [&](const MemberCourse& course) {
     const std::string& member = course.change.member;
@@ -114,7 +114,7 @@ void carry_lights(scene::Scene& scene, const scene::Camera& from, const scene::C
     if (!light.carried) continue;
     light.position = glm::dvec3(motion * glm::dvec4(light.position, 1));
     light.direction = glm::normalize(glm::dmat3(motion) * light.direction);
-    scene.mounts.erase(i);  // which hold the direction at rest
+    scene.mounts.erase(i);  // a mount holds the direction at rest
   }
 }
 
@@ -168,8 +168,8 @@ Sequence::Sequence(const SequenceOptions& options)
   moves_camera_ = path_ || changes(options.camera) || changes(options.target) || changes(options.field_of_view_deg);
   moves_lights_ = (changes(options.seconds) && drawing::changes_with_time(scene_)) ||
                   (moves_camera_ && std::ranges::any_of(scene_.lights, &PlacedLight::carried));
-  // A frame that cannot be is found before any is drawn, which takes some ten times as long as reading it. The last one
-  // comes first: it has a number that the command line states, which an error then names.
+  // Finds an impossible frame before any is drawn: drawing takes some ten times as long as reading. The last frame
+  // comes first: errors then name a number that the command line states.
   for (int frame = frames_ - 1; frame >= 0; --frame) {
     if (changes_members_ && frame > 0) own_camera_ = read(frame).camera;
     expect_heading(frame);

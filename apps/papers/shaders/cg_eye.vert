@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Attenuation and spots at the vertices, in the eye's space (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
-// chapter 5, exercise 3): position and normal are carried there, and the vector to the eye is the negative position.
-// With the infinite viewer of exercise 4 it is (0, 0, 1). Cameras may not look straight up or down.
+// chapter 5, exercise 3): position and normal are transformed into it, and the vector to the eye is the negative
+// position. With the infinite viewer of exercise 4 it is (0, 0, 1). Cameras may not look straight up or down.
 
 #include "cg_vertex.glsl"
 

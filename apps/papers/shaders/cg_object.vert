@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Attenuation and spots at the vertices, in the object's space, as the examples have it: the application carries each
-// light and the eye into the space of each object. Its unit is the object's scale.
+// Attenuation and spots at the vertices, in object space, as in the examples: the application transforms each light and
+// the eye into the space of each object. The unit of this space is the object's scale.
 
 #include "cg_vertex.glsl"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lights whose specular colour is apart from their diffuse one, as OpenGL and Direct3D have them. "We are also using the
+// Lights with separate specular and diffuse colours, as in OpenGL and Direct3D. "We are also using the
 // same value for the light's diffuse and specular colors instead of allowing different values for each of these."
 // (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", section 5.2.1). Here highlights are blue.
 

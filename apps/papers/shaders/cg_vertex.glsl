@@ -10,7 +10,7 @@
 out vec3 diffuse_light;
 out vec3 specular_light;
 
-// A light as it is in a space, where distances are in units of some metres.
+// A light in another space, whose unit is some metres.
 LitfogLight carried_into(mat4 space_from_world, float metres, LitfogLight light) {
   light.position_extent.xyz = (space_from_world * vec4(light.position_extent.xyz, 1.0)).xyz;
   light.axis_profile.xyz = normalize(mat3(space_from_world) * light.axis_profile.xyz);

@@ -2,7 +2,7 @@
 // The second of two passes of a spot light: what is drawn so far, times the light's cube map. "We would begin to see
 // some artifacts in some situations where 2 or more lights shine on the same pixel": the map of one light filters the
 // others, too (Ronald Frazier 2000, section "Converting a Point Light Into a Spot Light"). Here all lights are added
-// before the first is filtered; light by light, the last one alone would be as it should.
+// before the first is filtered; light by light, only the last one would be right.
 
 #include "depth_test.glsl"
 #include "path/light_coordinates.glsl"

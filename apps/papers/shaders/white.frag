@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is lit.
+// White where lit.
 
 out vec4 color;
 

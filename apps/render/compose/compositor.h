@@ -12,7 +12,7 @@
 
 namespace litfog::render {
 
-/// The airlight that each pane draws before itself, because the picture's own is summed up to what lies behind panes.
+/// The airlight between the eye and a pane. Each pane draws its own, because the picture's airlight ends behind panes.
 struct PaneAirlight {
   const AirlightLights& lights;
   const FarAirlight& far;
@@ -30,10 +30,10 @@ class Compositor {
  public:
   Compositor();
 
-  /// Sets how panes are blended over all that is in the bound framebuffer, even over points before them.
+  /// Sets the blending of panes: over everything in the bound framebuffer, even over points before them.
   static void begin_panes();
   static void end_panes();
-  /// Adds airlight to a resolved framebuffer. Panes that have been drawn let a part of it through.
+  /// Adds airlight to a resolved framebuffer, dimmed by the panes that have been drawn.
   ///
   /// airlight  within the lights' extents: AirlightPyramid::airlight()
   /// far       beyond the lights' extents

@@ -17,8 +17,8 @@ inline constexpr float kNearPlane = 0.1f;  ///< metres
 /// Whether the current context has GL_ARB_clip_control.
 bool has_clip_control();
 
-/// Whether the current context's driver shades fewer fragments if shaders test the depth late
-/// (shaders/depth_test.glsl): Mesa's llvmpipe does at several samples a pixel.
+/// Whether the current driver shades fewer fragments if shaders test the depth late (shaders/depth_test.glsl). Mesa's
+/// llvmpipe does with several samples a pixel.
 bool should_test_depth_late(int samples);
 
 /// The clip-space depth of infinity in the clip volume of begin_depths().

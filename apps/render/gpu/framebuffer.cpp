@@ -35,7 +35,7 @@ Framebuffer::Framebuffer(int width, int height, Passes passes, int samples)
   const GLenum color = is_summed ? GL_RGBA32F : GL_RGBA16F;  // half floats would lose up to 1/2048 a pass
   attach(resolved_, resolved_color_, GL_COLOR_ATTACHMENT0, color, 0);
   const bool resolved_is_whole = glCheckFramebufferStatus(GL_FRAMEBUFFER) == GL_FRAMEBUFFER_COMPLETE;
-  attach(drawn_, drawn_color_, GL_COLOR_ATTACHMENT0, color, samples == 1 ? 0 : samples);  // drivers take 1 for 2
+  attach(drawn_, drawn_color_, GL_COLOR_ATTACHMENT0, color, samples == 1 ? 0 : samples);  // drivers turn 1 into 2
   bind_texture(kUploadUnit, drawn_depth_, depth_target_);
   const GLenum depth = is_summed ? GL_DEPTH32F_STENCIL8 : GL_DEPTH_COMPONENT32F;
   if (samples == 1) {

@@ -9,21 +9,21 @@ namespace litfog::render {
 /// How many times a surface may be drawn.
 enum class Passes { one, several };
 
-/// What a renderer draws into: linear RGBA half floats and depth. For several passes it has floats, whose sums round
-/// less, and also a stencil.
+/// A renderer's target: linear RGBA half floats and depth. For several passes it has floats, which lose less in sums,
+/// and a stencil.
 class Framebuffer {
  public:
-  /// samples  a pixel; some drivers take more
+  /// samples  per pixel; some drivers take more
   /// throws   gl::Unsupported where the driver has no framebuffer of that size or fewer samples
   Framebuffer(int width, int height, Passes passes, int samples);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  int samples() const { return samples_; }  ///< a pixel, as the driver took them
+  int samples() const { return samples_; }  ///< per pixel, as allocated by the driver
   double aspect() const { return double(width_) / height_; }
   /// Makes this the target of drawing.
   void bind() const;
-  /// Averages the samples. Until the next bind(), drawing goes over the averages.
+  /// Averages the samples of each pixel. Until the next bind(), drawing changes the averages.
   void resolve() const;
   /// Makes the averages the target of drawing again.
   void bind_resolved() const;
@@ -40,11 +40,11 @@ class Framebuffer {
   gl::FramebufferName resolved_;
   gl::RenderbufferName drawn_color_;
   unsigned depth_target_;
-  gl::TextureName drawn_depth_;  // and stencil
+  gl::TextureName drawn_depth_;  // depth and stencil
   gl::RenderbufferName resolved_color_;
 };
 
-/// Throws gl::Unsupported where the driver cannot draw into the bound framebuffer, whose textures are of floats.
+/// Throws gl::Unsupported where the driver cannot draw into the bound framebuffer of float textures.
 void check_float_framebuffer();
 
 }  // namespace litfog::render

@@ -9,7 +9,7 @@
 
 namespace litfog::render {
 
-/// One rasterised sample of a picture: the inputs of its fragment's shading, and its depth. World space, metres.
+/// One rasterised sample of a picture: the shading inputs of its fragment, and its depth. World space, metres.
 struct GeometrySample {
   glm::vec3 position;      ///< within the bounds of the surface drawn
   float material;          ///< index in Renderer::materials(); -1: sky
@@ -25,8 +25,8 @@ struct GeometrySample {
   bool is_of_same_fragment(const GeometrySample& other) const;
 };
 
-/// The scene's surfaces as the GPU rasterises them: floats for each sample, which can be read back. With a
-/// Framebuffer's number of samples a pixel, edges of surfaces cover the same samples as there.
+/// The scene's surfaces as the GPU rasterises them: floats for each sample, which can be read back. With as many
+/// samples a pixel as a Framebuffer, surfaces cover the same samples in both.
 class GeometryBuffer {
  public:
   /// throws gl::Unsupported where the driver has no float framebuffer of that size or fewer samples
@@ -37,18 +37,18 @@ class GeometryBuffer {
   int samples() const { return samples_; }
   /// Makes this the target of drawing and clears it: sky everywhere.
   void begin() const;
-  /// Begins a layer, below kMaxLayers: in each sample it keeps what is drawn after `layer` others, at any depth.
+  /// Begins a layer, below kMaxLayers. Each sample keeps the fragment that is drawn after `layer` others, at any depth.
   void begin_layer(int layer) const;
   /// Must be called after drawing.
   void end() const;
   /// Rows of samples, from the picture's top row 0: all samples of a pixel, then of the next pixel.
   std::vector<GeometrySample> read_rows(int first, int count) const;
 
-  static constexpr int kMaxRows = 64;  ///< at a time
+  static constexpr int kMaxRows = 64;  ///< largest count of read_rows()
   static constexpr int kMaxLayers = 254;
 
  private:
-  static constexpr int kTargets = 6;  // vec4s of a GeometrySample
+  static constexpr int kTargets = 6;  // a GeometrySample is this many vec4s
 
   int width_;
   int height_;
@@ -58,7 +58,7 @@ class GeometryBuffer {
   gl::FramebufferName read_;
   gl::TextureName textures_[kTargets];
   gl::TextureName drawn_depth_;
-  gl::RenderbufferName read_color_;   // a target's rows
+  gl::RenderbufferName read_color_;   // rows of one target
   gl::VertexArrayName vertex_array_;  // without attributes
 };
 

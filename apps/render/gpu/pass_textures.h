@@ -9,7 +9,7 @@
 namespace litfog::render {
 
 /// Assigns the units from kPassUnit on to textures that only one pass reads, and sets the samplers of the pass's
-/// program, which must be in use. A sampler that the compiler dropped takes a unit all the same.
+/// program, which must be in use. Samplers that the compiler dropped also take a unit.
 class PassTextures {
  public:
   explicit PassTextures(const gl::Program& program) : program_(program) {}

@@ -8,7 +8,7 @@
 
 namespace litfog::render {
 
-/// A mipmapped RGBA8 texture, sampled as its texels state.
+/// A mipmapped RGBA8 texture with the sampling that its texels state.
 class Texture {
  public:
   enum class Encoding { linear, srgb };

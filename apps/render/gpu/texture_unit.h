@@ -26,7 +26,7 @@ enum TextureUnit : unsigned {
   kSecondUnit,
   kScatteredAllUnit,
   kScatteredFlowUnit,
-  kUploadUnit,  // no sampler reads it: textures are filled here, so that no other binding is lost
+  kUploadUnit,  // textures are filled here, so that no other binding is lost; no sampler reads it
   kPassUnit,    // the first unit of textures that only one pass reads (PassTextures)
 };
 

@@ -16,7 +16,7 @@ double visible_step(double exposure) {
 double hidden_range(const Fog& fog, double brightness, double budget) {
   if (!(brightness > budget)) return 0;
   if (!(fog.density > 0)) return std::numeric_limits<double>::infinity();
-  constexpr double kRounding = 1 + 1e-6;  // floats' of the shaders, too
+  constexpr double kRounding = 1 + 1e-6;  // also covers the rounding of the shaders' floats
   const double depth = std::log(brightness / budget);
   return kRounding * (fog.mode == FogMode::exp ? depth : std::sqrt(depth)) / fog.density;
 }
@@ -38,7 +38,7 @@ bool can_light_from(const PlacedLight& light, double half_angle, const glm::dvec
   const double radius = glm::distance(glm::dvec3(box.low), glm::dvec3(box.high)) / 2;
   const double delta = glm::distance(eye, light.position);
   if (!(radius < distance && delta < range)) return true;
-  constexpr double kRounding = 1e-4;  // radians: floats' of the shaders, too
+  constexpr double kRounding = 1e-4;  // radians; also covers the rounding of the shaders' floats
   const double angle = std::atan2(glm::length(glm::cross(middle, light.direction)), glm::dot(middle, light.direction));
   return angle <= half_angle + std::asin(radius / distance) + std::asin(delta / range) + kRounding;
 }

@@ -45,7 +45,7 @@ bool LightFinder::reaches(std::size_t light, const scene::Bounds& box, const glm
   const double margin = kMargin * (farthest.x + farthest.y + farthest.z);
   const double along = glm::dot(offset, sector.axis);
   const glm::dvec3 across = offset - along * sector.axis;
-  const double width = glm::length(across);  // below the margin a rounding, which has no direction
+  const double width = glm::length(across);  // below the margin it is rounding, without a direction
   const double outside = width * sector.cos_half_angle - along * sector.sin_half_angle;  // metres from the cone's side
   const auto is_within = [](const glm::dvec3& vector, double range) {
     return range > 0 && glm::dot(vector, vector) < range * range;

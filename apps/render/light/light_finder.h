@@ -16,18 +16,17 @@ namespace litfog::render {
 /// extent  metres; infinity asks for the cone alone
 bool can_reach(const PlacedLight& light, double extent, const scene::Bounds& box);
 
-/// Finds the lights, among many, that can reach a box: those of can_reach(), which is asked only about the few lights
-/// that a bound of their sectors does not decide (in `approach` 0.2% of 50 million). Neighbours in a scene's list are
-/// mostly neighbours in space, because its lights stand in rows: a box that no light of a group can reach is not tested
-/// against each of them.
+/// Finds the lights, among many, that can reach a box by can_reach(). It calls can_reach() only for the few lights that
+/// a bound of their sectors does not decide (in `approach` 0.2% of 50 million). Lights that are neighbours in a scene's
+/// list are mostly neighbours in space, because lamps stand in rows. So lights are tested in groups first.
 class LightFinder {
  public:
-  /// lights, extents (metres)  have to outlive this
+  /// lights, extents (metres)  must outlive this object
   LightFinder(std::span<const PlacedLight> lights, std::span<const double> extents);
 
   /// Indices of the lights that can reach a box, in order.
   std::vector<std::int32_t> reaching(const scene::Bounds& box) const;
-  /// Indices of those candidates that can reach a box, in order.
+  /// Indices of the candidates that can reach a box, in order.
   std::vector<std::int32_t> reaching(const scene::Bounds& box, std::span<const std::int32_t> candidates) const;
 
  private:
@@ -50,7 +49,7 @@ class LightFinder {
   std::span<const PlacedLight> lights_;
   std::span<const double> extents_;
   std::vector<Sector> sectors_;  // one a light
-  std::vector<Box> groups_;      // what each group of lights can reach
+  std::vector<Box> groups_;      // the space that each group of lights can reach
 };
 
 }  // namespace litfog::render

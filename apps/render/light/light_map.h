@@ -37,7 +37,7 @@ MapTexels make_range_volume(const RangeProfile& profile, int size);
 /// 1, and the attenuation over (q, r), which is 0 beyond the extent and at the boundaries.
 MapTexels make_distance_map(int size);
 MapTexels make_range_map(const RangeProfile& profile, int size);
-/// The side of the 2-D maps that together have as many texels as a 3-D map: 1024 for 128.
+/// The side of a pair of 2-D maps with as many texels as a 3-D map: 1024 for 128.
 int pair_size(int volume_size);
 
 /// x^2 + y^2 over (s, t) and z^2 over r. Coordinates are 0.5 + P / (2 R), squares are of P / R and clamped to 1 (Ronald
@@ -63,8 +63,8 @@ bool is_scaled(const Cone& cone, ConeMaps maps);
 /// The scale of the coordinates across the axis in a cone's cube map.
 double cone_map_scale(const Cone& cone, ConeMaps maps);
 
-/// The cone in its cube map, which differs for ConeMaps::one_disc: Frazier's one map for every angle is a disc,
-/// whatever the cone's profile.
+/// The cone that a cone's cube map holds. For ConeMaps::one_disc it is a disc, whatever the cone's profile, because
+/// Frazier has one map for every angle.
 Cone mapped_cone(const Cone& cone, ConeMaps maps);
 
 /// Six faces in OpenGL's order: +x -x +y -y +z -z.

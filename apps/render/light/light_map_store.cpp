@@ -84,7 +84,7 @@ int LightMapStore::range_side() const { return is_volume() ? size_ : pair_size(s
 /// A point light's map is white.
 int LightMapStore::cone_side(const Cone& cone) const { return cone.is_point_light() ? 1 : size_; }
 
-/// Frazier's spot has the same texels at every angle, here those of 45 degrees, where the scale is 1.
+/// Frazier's spot has the same texels at every angle: those of 45 degrees, where the scale is 1.
 Cone LightMapStore::stored_cone(const Cone& cone) const {
   const bool is_disc = cone_coverage_ == ConeMaps::one_disc && is_scaled(cone, cone_coverage_);
   return is_disc ? Cone::cosine(std::numbers::pi / 4, 0) : cone;

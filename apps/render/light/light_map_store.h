@@ -18,8 +18,8 @@ namespace litfog::render {
 /// "Realtime Pixel Lighting Using Fragment Programs", section "Multiple Light Sources"). Needs a current GL context.
 class LightMapStore {
  public:
-  /// settings.papers.map_size  texels a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair together
-  ///                           has as many texels as a 3-D map
+  /// settings.papers.map_size  texels along a side of a 3-D map, a cube map's face and Frazier's maps; the 2-D pair has
+  ///                           as many texels as a 3-D map
   /// throws  gl::Unsupported where this OpenGL has no textures of that size, or where all maps together would take more
   ///         than 1 GiB
   LightMapStore(const scene::Scene& scene, const SceneLights& lights, const RenderSettings& settings);
@@ -44,7 +44,7 @@ class LightMapStore {
   bool is_volume() const { return set_ == LightMapSet::volume; }
   int range_side() const;
   int cone_side(const Cone& cone) const;
-  /// The cone whose map a cone takes.
+  /// The cone whose map a cone shares.
   Cone stored_cone(const Cone& cone) const;
   const LookupTexture* range_map(const PlacedLight& light, double extent);
   const LookupTexture* cone_map(const Cone& cone);
@@ -63,7 +63,7 @@ class LightMapStore {
   std::vector<glm::mat3> cones_from_world_;
 };
 
-/// All cookies in one array texture, each scaled to the size of the largest: the layers of cube_cookie.glsl.
+/// Uploads cookies into one array texture, each scaled to the size of the largest: the layers of cube_cookie.glsl.
 ///
 /// throws  gl::Unsupported if the driver's layer or size limit is exceeded
 LayeredTexture upload_cookies(const std::vector<Cookie>& cookies);

@@ -14,10 +14,10 @@ struct PointShaders {
 };
 PointShaders point_shaders(FogLighting fog_lighting);
 
-/// Draws lights as points over what has been drawn, by the program in use, one of point_shaders() that can read its
-/// lights.
+/// Draws lights as points over the picture with the program in use, one of point_shaders() whose light tables are
+/// bound.
 ///
-/// first  of its light list, as count counts
+/// first, count  entries of the light list
 void draw_light_points(const gl::Program& program, const View& view, FogLighting fog_lighting, int first, int count);
 
 }  // namespace litfog::render

@@ -11,7 +11,7 @@
 namespace litfog::render {
 namespace {
 
-/// Upper bound of what a light's point adds to a pixel.
+/// Upper bound of the light that a light's point adds to a pixel.
 double largest_point(const SceneLights& lights, std::size_t i, const Atmosphere& atmosphere, FogLighting fog_lighting,
                      const PointView& view) {
   const PlacedLight& placed = lights.lights()[i];
@@ -33,20 +33,20 @@ double largest_point(const SceneLights& lights, std::size_t i, const Atmosphere&
   return kCoreAndHalo * largest_component(light.color) * std::min(arriving / kFullBrightness, double(kBrightestPoint));
 }
 
-/// A surface hides no part of a point that is nearer by this factor. All of a point is drawn at the depth of its
-/// middle: the range times the cosine between its ray and the camera's axis. Within a point that spans h to either
-/// side, as a tangent, the cosine changes by a factor of at most 1 + h.
+/// A surface hides no part of a point that is nearer by this factor. A whole point is drawn at the depth of its centre:
+/// the range times the cosine between its ray and the camera's axis. Within a point of half size h, as a tangent, the
+/// cosine changes by a factor of at most 1 + h.
 ///
-/// size  of the point in picture heights
+/// size  the point's, in picture heights
 double depth_factor(double size, const PointView& view) {
   const double least = 2.0 / view.height;  // a point has at least two pixels
   return 1 + std::max(size, least) * view.height / (2 * view.pixels_per_radian);
 }
 
-/// In picture heights.
+/// A point's size in picture heights.
 double point_size(FogLighting fog_lighting, double source_radius, double range, const PointView& view) {
   if (fog_lighting == FogLighting::peak) return kPointRadii * kPointRadius * kMaxGlare / kPointPictureHeight;
-  constexpr double kWidestPixels = 6;  // the smallest disc with its edge, and a pixel
+  constexpr double kWidestPixels = 6;  // the smallest disc with its edge, plus a pixel
   // Seen from the picture's corner a disc spans up to 1 / cosine^1.5 times as many pixels; 4 is for 66 degrees.
   return (kWidestPixels + 4 * 2 * source_radius / range * view.pixels_per_radian) / view.height;
 }
@@ -55,7 +55,7 @@ double point_size(FogLighting fog_lighting, double source_radius, double range, 
 
 PointList list_points(const SceneLights& lights, const Atmosphere& atmosphere, FogLighting fog_lighting,
                       const PointView& view, double budget) {
-  constexpr float kMargin = 1;  // metres, more than a point is ever moved towards the eye
+  constexpr float kMargin = 1;  // metres; more than any point is moved towards the eye
   struct Point {
     std::int32_t light;
     double largest;

@@ -37,7 +37,7 @@ Light drawn_light(const Light& light, const RenderSettings& settings, double exp
   const bool has_maps = settings.path->maps != LightMapSet::none;
   Light drawn = is_airlight && !has_maps ? photometric(light) : light;
   if (lights_fog_beyond_end(settings)) drawn.threshold = airlight_threshold(drawn, exposure);
-  drawn.flash = {};  // its colour is that of the scene's time
+  drawn.flash = {};  // the colour is already the one at the scene's time
   if (has_maps) drawn.cone = mapped_cone(drawn.cone, settings.papers.cone_maps);
   return drawn;
 }

@@ -13,26 +13,26 @@
 
 namespace litfog::render {
 
-/// Whether lights light the fog beyond their ends. Hundreds of cut-off tails, each too faint to be seen, would add up.
+/// Whether lights light the fog beyond their ends. Hundreds of cut-off tails, each too faint to be seen, add up.
 bool lights_fog_beyond_end(const RenderSettings& settings);
 
 /// Whether lights light surfaces beyond their ends, up to SurfaceList::range_of(). On paths with light maps lights end
-/// where the maps do, and paths that light vertices are farther from the formula than the tails are bright.
+/// where the maps do. On paths that light vertices the tails are smaller than the paths' own error.
 bool lights_surfaces_beyond_end(const RenderSettings& settings);
 
 /// Whether light that the fog scatters reaches surfaces, in atmospheres without a find_scattering_error().
 bool has_scattered_light(const RenderSettings& settings);
 
 /// A light as a renderer draws it. By airlight it is photometric(), except on paths with light maps, whose texels are
-/// too large for what is near a lamp, and ends where airlight_threshold() says, except on paths with the radial range
-/// law: that falls to 0 at the end, and is brighter everywhere the farther off the end is. Paths with light maps have
-/// the cone of their maps (mapped_cone).
+/// too large near a lamp. By airlight it ends at airlight_threshold(), except on paths with the radial range law, which
+/// falls to 0 at the end: a farther end would make it brighter everywhere. Paths with light maps have the cone of their
+/// maps (mapped_cone).
 ///
-/// exposure  EV at which the picture is shown; taken as 0 if below
+/// exposure  EV at which the picture is shown; below 0 counts as 0
 Light drawn_light(const Light& light, const RenderSettings& settings, double exposure = 0);
 
-/// A light's position relative to an origin. A light farther away than the library takes lights is moved, in its
-/// direction, to the largest distance allowed.
+/// A light's position relative to an origin. A light beyond the library's largest distance is moved to that distance,
+/// in its direction.
 glm::dvec3 placed_relative_to(const glm::dvec3& origin, const PlacedLight& light);
 
 /// A light for shaders that take it as uniforms: vec4s in the order of shaders/light_batch.glsl.
@@ -42,25 +42,25 @@ struct PackedLight {
 };
 inline constexpr std::size_t kPackedVectors = sizeof(PackedLight) / sizeof(glm::vec4);
 
-/// The lights of a scene as the renderer takes them: local lights first, then carried lights (those of the eye's
-/// vehicle, which also light the fog). Lights that are off are left out: black ones, and local ones of extent 0, which
-/// light nothing and have no visible point. Positions are relative to an origin near the scene's camera, so that floats
-/// are precise around it.
+/// The lights of a scene as the renderer takes them: local lights first, then carried lights (on the eye's vehicle;
+/// they also light the fog). Lights that are off are left out: black ones, and local ones of extent 0, which light
+/// nothing and have no visible point. Positions are relative to an origin near the scene's camera, so that floats are
+/// precise around it.
 class SceneLights {
  public:
-  /// scene     has to outlive this object
+  /// scene     must outlive this object
   /// settings  path and fog_lighting decide whether carried lights light the fog by their intensity, and where lights
   ///           end
   /// exposure  EV at which the picture is shown (drawn_light)
   SceneLights(const scene::Scene& scene, const RenderSettings& settings, double exposure = 0);
 
   const glm::dvec3& origin() const { return origin_; }
-  double exposure() const { return exposure_; }  ///< EV for which the lights' ends were chosen
+  double exposure() const { return exposure_; }  ///< EV for which the lights' ends are chosen
   std::size_t size() const { return lights_.size(); }
   std::size_t local_count() const { return local_count_; }
   std::size_t carried_count() const { return size() - local_count_; }
   std::span<const PlacedLight> lights() const { return lights_; }
-  /// Metres, one a light.
+  /// The extent of each light, metres.
   std::span<const double> extents() const { return extents_; }
   /// lights_surfaces_beyond_end() of the settings.
   bool light_surfaces_beyond_end() const { return light_surfaces_beyond_end_; }
@@ -71,7 +71,7 @@ class SceneLights {
   /// A light's index in Scene::lights.
   std::size_t scene_light(std::size_t light) const { return scene_lights_[light]; }
 
-  /// Where a light points as seen from its vehicle, or from the world's origin looking along -Z.
+  /// A light's direction as seen from its vehicle; without one, from the world's origin looking along -Z.
   const scene::Mount& mount(std::size_t light) const { return mounts_[light]; }
 
   /// Changes the fog. Returns the changed ranges of the tables, valid until the next call.
@@ -79,7 +79,7 @@ class SceneLights {
   /// The tables that shaders read: instance i is light i.
   std::span<const FogLightKind> kinds() const { return updater_.kinds(); }
   std::span<const FogLightInstance> instances() const { return instances_; }
-  /// The light of an instance.
+  /// A light for shaders that take lights as uniforms.
   PackedLight packed(std::size_t index) const;
   /// For each light with a cookie, the cookie and its y axis in world space. The instance's color.w is the index
   /// (cube_cookie.glsl).
@@ -97,7 +97,7 @@ class SceneLights {
   std::vector<std::size_t> scene_lights_;
   std::vector<scene::Mount> mounts_;
   FogUpdater updater_;
-  std::vector<FogLightInstance> instances_;  // the updater's, with cookies
+  std::vector<FogLightInstance> instances_;  // the updater's instances, with cookies
   std::vector<glm::vec4> cookie_cones_;
 };
 

@@ -11,16 +11,16 @@ namespace litfog::render {
 
 inline constexpr float kSkyDistance = 50'000;  ///< metres: beyond any visibility at which fog is visible
 
-/// Passes the program in use, one of shaders/fog_top.glsl, where the fog ends.
+/// Sets the uniforms of shaders/fog_top.glsl in the program in use.
 ///
-/// above_eye  metres, of the atmosphere's top
+/// above_eye  height of the atmosphere's top above the eye, metres
 void set_fog_top(const gl::Program& program, double above_eye);
 
-/// Whether a scene's directional light lights its fog, which then dims it on surfaces, too: by airlight, in exp fog. In
-/// other fog it lights surfaces alone, as in clear air.
+/// Whether a scene's directional light lights its fog, which then also dims it on surfaces: by airlight, in exp fog. In
+/// other fog it lights only surfaces, as in clear air.
 bool is_fog_moonlit(const scene::Environment& environment, const Atmosphere& atmosphere, FogLighting fog_lighting);
 
-/// Passes the program in use, one of shaders/moonlight.glsl, whether the fog is lit so, and from where.
+/// Sets the uniforms of shaders/moonlight.glsl in the program in use.
 void set_moonlight(const gl::Program& program, const View& view);
 
 }  // namespace litfog::render

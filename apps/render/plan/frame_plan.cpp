@@ -20,14 +20,13 @@
 namespace litfog::render {
 namespace {
 
-/// Largest y of a unit direction from the eye to a box.
+/// Largest y of the unit directions from the eye to a box.
 double highest_slope(const glm::dvec3& eye, const scene::Bounds& box, double nearest, double farthest) {
   const double rise = double(box.high.y) - eye.y;
   return rise > 0 ? (rise < nearest ? rise / nearest : 1) : rise / farthest;
 }
 
-/// The largest y of unit directions in which rays to the sky run at least `range` through the fog
-/// (shaders/fog_top.glsl).
+/// Largest y of the unit directions in which rays to the sky cross at least `range` of fog (shaders/fog_top.glsl).
 double slope_in_fog(double fog_above_eye, double range) {
   constexpr double kRounding = 1e-4;
   if (range > kSkyDistance) return -2;  // no ray does
@@ -61,7 +60,7 @@ const FramePlan& FramePlanner::plan(const FrameView& view) {
   const bool is_new_environment = environment_ != scene_.environment;
   has_changed_ = view_ != view || is_new_environment;
   if (!has_changed_) return plan_;
-  // Without a view, the atmosphere is another.
+  // set_atmosphere() resets the view.
   if (!view_ || view_->exposures.surfaces != view.exposures.surfaces || is_new_environment) {
     step_ = visible_step(view.exposures.surfaces);
     ++fog_number_;
@@ -144,7 +143,7 @@ PlannedSurface FramePlanner::list_lights(std::size_t index, double most_left_out
   const std::span<const std::int32_t> lights = surfaces_.lights_of(surface);
   const std::span<const float> strengths =
       std::span(strengths_).subspan(std::size_t(surface.list_first), lights.size());
-  sorted_.clear();  // strengths of lights that may be left out
+  sorted_.clear();  // the strengths of lights that may be left out
   std::ranges::copy_if(strengths, std::back_inserter(sorted_),
                        [&](float strength) { return double(strength) <= most_left_out; });
   std::ranges::sort(sorted_);

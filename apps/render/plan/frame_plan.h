@@ -26,7 +26,7 @@ namespace litfog::render {
 struct PlannedSurface {
   const Surface* surface;
   bool is_fog_alone;  ///< fog hides the surface: it is drawn as fog alone, which hides what is behind it
-  int list_first;     ///< the surface's lights are list_count entries of the plan's light list, from this one on
+  int list_first;     ///< the surface's lights are list_count entries of the plan's light list from here on
   int list_count;
 };
 
@@ -37,10 +37,10 @@ struct FramePlan {
   std::vector<std::int32_t> light_list;
   int point_first = 0;
   int point_count = 0;
-  AirlightList airlights;         ///< within the lights' extents
+  AirlightList airlights;         ///< airlight within the lights' extents
   AirlightTiles airlight_tiles;   ///< tiles of airlights
-  FarAirlightList far_airlights;  ///< beyond the lights' extents
-  HigherOrders higher_orders;     ///< of all lights
+  FarAirlightList far_airlights;  ///< airlight beyond the lights' extents
+  HigherOrders higher_orders;     ///< for all lights
   FrameCounts counts;
 
   std::span<const std::int32_t> points() const {
@@ -59,13 +59,13 @@ struct FrameExposures {
   friend bool operator==(const FrameExposures&, const FrameExposures&) = default;
 };
 
-/// Where a frame is seen from.
+/// The view of a frame.
 struct FrameView {
   scene::Camera camera;  ///< relative to SceneLights::origin(), as are the matrix and the slope
   glm::mat4 clip_from_world;
-  double highest_slope;      ///< largest y of a unit direction from the eye into the picture
+  double highest_slope;      ///< largest y of the unit directions from the eye into the picture
   glm::ivec2 picture_size;   ///< pixels
-  double pixels_per_radian;  ///< at the picture's middle
+  double pixels_per_radian;  ///< at the picture's centre
   FrameExposures exposures;
 
   friend bool operator==(const FrameView&, const FrameView&) = default;
@@ -74,43 +74,48 @@ struct FrameView {
 /// Plans frames of a scene. Leaves out what is outside the view, out of reach or hidden by fog, so that no pixel of the
 /// display changes by more than a step, 1/255 (hidden_range.h divides the step). Calls no GL.
 ///
-/// Surfaces. A surface sends to the eye at most the sum of its own light, of each lamp's light at the surface's
-/// point nearest to the lamp and of what the fog scatters on it (ScatteredLightBound), times f at its nearest distance
-/// from the eye. If that is below kHiddenShare, only the fog before the surface is drawn, at the surface's depth, so
-/// that everything before and behind it looks the same. The surface is left out altogether if airlight, points, sky and
-/// brighter surfaces behind it are invisible too: the picture's background is the colour of the fog. Hales's term
-/// depends on the position, so nothing is left out where the cone of a carried light meets the rays through the
-/// surface, at the surface or behind it. Within a cone the picture would change: seen from the light, two points of a
-/// ray at ranges of at least r are up to delta / r apart, where delta is the distance from the eye to the light. For a
-/// headlight 1 m beside the eye, with a slope of some 10 a radian, an eighth of a step would need an r of more than 100
-/// km. Fog hides neither surfaces nor their lights on paths without this bound (LightingPath::has_light_bound), nor
-/// where lights have an ambient colour, which the bound does not cover. A surface before which light maps light the fog
-/// is drawn whole, because fog alone uses the cones' formula.
+/// A surface sends the eye at most this radiance: its own light, plus each lamp's light at the surface's point nearest
+/// to the lamp, plus the light that fog scatters on it (ScatteredLightBound), all times f at its nearest distance from
+/// the eye.
+///
+/// If this is below kHiddenShare, only the fog before the surface is drawn, at the surface's depth, so everything
+/// before and behind it looks the same. The surface is left out altogether if airlight, points, sky and brighter
+/// surfaces behind it are invisible too: the picture's background is the colour of the fog.
+///
+/// Hales's term depends on the position. So nothing is left out where the cone of a carried light meets the rays
+/// through the surface, at the surface or behind it. The picture would change: seen from the light, two points of a ray
+/// at ranges of at least r are up to delta / r apart, where delta is the distance from the eye to the light. For a
+/// headlight 1 m beside the eye, with a slope of some 10 a radian, an eighth of a step would need r > 100 km.
+///
+/// Fog hides neither surfaces nor their lights on paths without this bound (LightingPath::has_light_bound), nor where
+/// lights have an ambient colour, which the bound does not cover. Where light maps light the fog before a surface, the
+/// surface is drawn whole, because fog alone uses the cones' formula.
 class FramePlanner {
  public:
-  /// scene, lights, surfaces  have to outlive this object
+  /// scene, lights, surfaces  must outlive this object
   FramePlanner(const scene::Scene& scene, const SceneLights& lights, const SurfaceList& surfaces,
                const RenderSettings& settings);
 
-  /// Takes a change of the atmosphere, and of the lights and surfaces where they have changed.
+  /// Sets the atmosphere. Must also be called after a change of lights or surfaces.
   ///
-  /// is_fog_lit     whether carried lights light it by their intensity
-  /// shaft_casters  as list_airlight() takes them; have to outlive this or the next call
+  /// is_fog_lit     whether carried lights light the fog by their intensity
+  /// shaft_casters  as in list_airlight(); must stay valid until the next call
   void set_atmosphere(const Atmosphere& atmosphere, bool is_fog_lit, std::span<const std::int32_t> shaft_casters);
 
-  /// Valid until the next call; the same where neither view nor environment has changed, with has_changed() false.
+  /// Plans a frame. Without a change of view or environment the plan stays the same, and has_changed() is false. Valid
+  /// until the next call.
   const FramePlan& plan(const FrameView& view);
   /// Forces the next plan() to make a new plan.
   void forget() { view_.reset(); }
-  /// Counts the scene's lights by what the last plan does with them.
+  /// Counts the scene's lights by how the last plan uses them.
   LightCounts count_lights() const;
   bool has_changed() const { return has_changed_; }
 
-  /// All surfaces in view, without lights.
+  /// A plan of all surfaces in view, without lights.
   FramePlan plan_geometry(const glm::mat4& clip_from_world) const;
 
  private:
-  /// Cached per surface: what it sends to the eye at most, without the fog before it.
+  /// Cached per surface: upper bound of the light that it sends to the eye, without the fog before it.
   struct SurfaceFogState {
     unsigned fog_number = 0;  // fog_number_ for which the state holds
     float brightness = 0;
@@ -127,19 +132,19 @@ class FramePlanner {
   void plan_visible(const FrameView& view);
   void add_points(const PointList& points);
   std::vector<SurfaceInView> find_surfaces_in_view(const glm::dvec3& eye, const Frustum& frustum);
-  /// Also updates the surface's strengths_.
+  /// The cached brightness of a surface. Also updates its strengths_.
   double brightness_of(std::size_t surface);
-  /// Uniform fog that hides no more than the air between a height and a box does.
+  /// Uniform fog no thicker than the air between a height and a box.
   Fog fog_before(double height, const scene::Bounds& box) const;
-  /// Whether carried lights can light the fog by their intensity on a ray through the surface, from a range on.
+  /// Whether carried lights can light the fog by their intensity on a ray through the surface, beyond a range.
   bool can_be_lit_from(const glm::dvec3& eye, const Surface& surface, double range) const;
-  /// PointView's.
+  /// PointView::least_seen.
   double least_seen() const;
   double airlight_end_from(const glm::dvec3& eye, double budget) const;
   double sky_brightness() const;
-  /// An upper bound of the directional light's airlight along any ray; 0 where it lights no fog.
+  /// Upper bound of the directional light's airlight along any ray; 0 if it lights no fog.
   double moonlight_in_fog() const;
-  /// Appends a surface's lights to the plan's list except those that fog hides.
+  /// Appends the surface's lights that fog does not hide to the plan's list.
   PlannedSurface list_lights(std::size_t surface, double most_left_out);
 
   const scene::Scene& scene_;
@@ -150,13 +155,13 @@ class FramePlanner {
   bool is_fog_lit_ = false;
   std::span<const std::int32_t> shaft_casters_;
   unsigned fog_number_ = 1;
-  ScatteredLightBound scattered_bound_;  // on surfaces
+  ScatteredLightBound scattered_bound_;  // for surfaces
   double step_ = 0;
   std::vector<SurfaceFogState> fog_states_;  // one a surface
-  std::vector<float> strengths_;  // one an entry of SurfaceList::lists(): its light, before the fog on the eye's leg
+  std::vector<float> strengths_;  // light by each entry of SurfaceList::lists(), before the fog towards the eye
   std::vector<float> sorted_;     // scratch
   std::optional<FrameView> view_;
-  scene::Environment environment_;  // for which the last plan was made
+  scene::Environment environment_;  // the last plan's
   bool has_changed_ = false;
   FramePlan plan_;
 };

@@ -19,13 +19,13 @@ std::string of(std::string_view paper, std::string_view place) { return std::str
 constexpr LightFeed kAllLights{.kind = LightFeed::Kind::all};
 constexpr std::string_view kCoordinates = "path/light_coordinates.vert";
 
-/// Any number of lights at each fragment, by a fragment shader.
+/// A pass whose fragment shader adds up any number of lights.
 SurfacePass per_fragment(std::string_view fragment, LightFeed lights = {}) {
   lights.kind = LightFeed::Kind::all;
   return {.vertex = "surface.vert", .fragment = fragment, .lights = lights};
 }
 
-/// Batches of lights by light maps, at each fragment.
+/// A pass that looks up batches of lights in light maps.
 SurfacePass looked_up(std::string_view fragment, LightFeed lights) {
   lights.kind = LightFeed::Kind::batches;
   return {.vertex = kCoordinates, .fragment = fragment, .lights = lights};
@@ -40,7 +40,7 @@ std::vector<SurfacePass> accumulated() {
   return {ambient, light};
 }
 
-/// accumulated(), multiplied by the base texture, then the fog before it.
+/// accumulated(), multiplied by the base texture, then fog over it.
 std::vector<SurfacePass> accumulated_with_texture() {
   std::vector<SurfacePass> passes = accumulated();
   passes.push_back({.vertex = kCoordinates,
@@ -51,7 +51,7 @@ std::vector<SurfacePass> accumulated_with_texture() {
   return passes;
 }
 
-/// A path by light maps whose light has a bound.
+/// A path with light maps and a light bound.
 LightingPath by_maps(std::string_view name, std::string_view description, std::string_view paper, LightMapSet maps,
                      std::vector<SurfacePass> passes) {
   const bool is_radial = maps == LightMapSet::radial;
@@ -67,7 +67,7 @@ LightingPath by_maps(std::string_view name, std::string_view description, std::s
           .passes = std::move(passes)};
 }
 
-/// `unified` but for what its fragment shader does otherwise.
+/// `unified` with another pass.
 LightingPath like_unified(std::string_view name, std::string_view description, std::string source, SurfacePass pass,
                           bool has_reference) {
   return {.name = name,

@@ -25,7 +25,7 @@ enum class SurfaceModel {
   unshaded,
 };
 
-/// How light falls with range r up to the extent E. Beyond E a light is dark.
+/// How light falls with range r up to the extent E. Beyond E it is 0.
 enum class RangeLaw {
   attenuation,  ///< min(1, 1 / (C + L r + Q r^2)), the model's
   radial,       ///< 1 - r^2 / E^2 (Frazier 2000)
@@ -40,7 +40,7 @@ enum class Evaluation {
   vertex,    ///< partly or wholly at the vertices: as exact as the triangles are small
 };
 
-/// How a pass's colour is combined with that of the surface's earlier passes.
+/// How a pass's colour is combined with the surface's earlier passes.
 enum class Blend {
   replace,
   add,
@@ -52,30 +52,30 @@ enum class Blend {
 struct LightFeed {
   enum class Kind {
     none,  ///< drawn once, without lights
-    all,   ///< drawn once, by all lights that can reach the surface
-    /// Drawn once for each batch of lights, the later batches added. Without lights drawn once, or not at all by a pass
-    /// with Blend::add.
+    all,   ///< drawn once, with all lights that can reach the surface
+    /// Drawn once for each batch of lights; later batches are added. Without lights drawn once, or not at all with
+    /// Blend::add.
     batches,
   };
   Kind kind = Kind::none;
   std::size_t batch_size = 0;  ///< batches: at most this many lights, which share their maps
-  bool lists_rest = false;     ///< batches: the first of several also reads all lights, by the light list
-  /// batches: each light adds the fog that it lights, by the same look-up as its light on the surface. Otherwise the
-  /// pass that draws a surface first adds the fog of all lights, by the cones' formula.
+  bool lists_rest = false;     ///< batches: the first of several also reads all lights from the light list
+  /// batches: each light adds its lit fog by the look-up for its light on the surface. Otherwise a surface's first pass
+  /// adds the lit fog of all lights by the cones' formula.
   bool bring_fog = false;
-  /// all: shaders take kMaxUniformLights lights and a flag for each that exists. Otherwise they are compiled for about
-  /// as many lights as exist, up to kMaxUnrolledLights.
+  /// all: shaders take kMaxUniformLights lights, each with a flag that says whether it exists. Otherwise shaders are
+  /// compiled for about as many lights as exist, up to kMaxUnrolledLights.
   bool has_flags = false;
 };
 
-/// One pass over a surface. Shaders are files of apps/render/shaders.
+/// One pass over a surface. Shaders are files in apps/render/shaders.
 struct SurfacePass {
   std::string_view vertex;
   std::string_view geometry = {};  ///< empty: none
   std::string_view fragment;
   Blend blend = Blend::replace;
   LightFeed lights = {};
-  bool shows_fog = true;  ///< adds the light of the fog before a surface, the first time that it draws it
+  bool shows_fog = true;  ///< adds the fog's light when it first draws a surface
 };
 
 /// The textures in which a path looks up its lights.
@@ -97,18 +97,18 @@ struct LightingPath {
   bool has_normal_maps = false;        ///< otherwise vertex normals
   bool has_lit_fog = true;             ///< otherwise the ambient fog colour alone
   bool takes_airlight = false;         ///< lamps light each fragment, so that fog can dim them and shadows hide them
-  bool takes_scattered_light = false;  ///< so that light which the fog scatters reaches its surfaces (ScatteredLight)
+  bool takes_scattered_light = false;  ///< light that the fog scatters reaches its surfaces (ScatteredLight)
   bool has_reference = true;           ///< measure::PathModel has its formulas
-  /// hidden_range.h bounds what surfaces send to the eye, all of it through the fog, so that fog can hide them.
+  /// hidden_range.h bounds the light from surfaces, all of which passes through the fog, so that fog can hide them.
   bool has_light_bound = false;
-  bool pairs_lights = false;  ///< a batch is lit by its first light's range, so that no light can be left out
+  bool pairs_lights = false;  ///< a batch is lit by its first light's range, so no light can be left out
   LightMapSet maps = LightMapSet::none;
   std::vector<SurfacePass> passes;
-  std::span<const gl::ShaderSource> shaders = {};  ///< files of its passes that are not the renderer's
+  std::span<const gl::ShaderSource> shaders = {};  ///< files of its passes that the renderer lacks
 
   /// Whether a surface may be drawn more than once, which needs a stencil.
   bool has_several_passes() const { return passes.size() > 1 || passes[0].lights.kind == LightFeed::Kind::batches; }
-  /// Whether it draws panes (scene::Material::opacity) as panes, not as masks.
+  /// Whether panes (scene::Material::opacity) are drawn as panes, not as masks.
   bool draws_panes() const { return !has_several_passes(); }
   /// Whether the cones of the lit fog before surfaces come from the light maps.
   bool has_mapped_fog() const { return passes[0].lights.bring_fog; }
@@ -117,10 +117,10 @@ struct LightingPath {
 /// Every path, the default one first.
 std::span<const LightingPath> lighting_paths();
 
-/// What the papers print beside their lighting paths: sample programs, exercises and intermediate pictures.
+/// The papers' sample programs, exercises and intermediate pictures.
 std::span<const LightingPath> published_programs();
 
-/// The base texture alone, without light and fog: the lower limit of the paths' cost. Not one of the paths.
+/// Draws the base texture without light and fog: the lower limit of the paths' cost. Not one of the paths.
 const LightingPath& unlit_path();
 
 /// Draws a surface's number of lights as red, and 1 as green. Not one of the paths.
@@ -129,13 +129,13 @@ const LightingPath& light_count_path();
 /// Normal maps in object space (Lacroix 2005). Not one of the paths: bundled scenes have maps in tangent space.
 const LightingPath& object_space_path();
 
-/// A path that rasterises exactly the samples of `other`, but writes a GeometryBuffer's attributes instead of colour.
+/// A path that rasterises exactly the samples of `other` but writes the attributes of a GeometryBuffer.
 const LightingPath& geometry_path(const LightingPath& other);
 
-/// The fog before a surface alone, for any path.
+/// Draws only the fog before a surface, for any path.
 const SurfacePass& fog_alone_pass();
 
-/// A surface's depth alone, for any path.
+/// Draws only a surface's depth, for any path.
 const SurfacePass& depth_pass();
 
 /// One of lighting_paths() or published_programs(). Null if none has that name.

@@ -17,17 +17,17 @@ enum class SpotEdge { hard, lerp, smoothstep };
 /// "Early rejection is key"), on paths of one pass. `litfog-bench rejection` compares them.
 enum class EarlyRejection {
   none,           ///< surfaces in the order of their materials, so that OpenGL changes its state least
-  front_to_back,  ///< surfaces in the order of their nearest points; of coplanar ones another may be visible
-  depth_pass,     ///< first the depths of all surfaces without masks, then what passes is shaded, as by `none`
+  front_to_back,  ///< surfaces in the order of their nearest points; may show another one of coplanar surfaces
+  depth_pass,     ///< first the depths of all surfaces without masks, then shading of what passes, as by `none`
 };
 
-/// What only re-enacts a paper's listing, figure or exercise.
+/// Settings that only re-enact a paper's listing, figure or exercise.
 struct PaperSettings {
   /// Hales's paths: directional light by face normals instead of vertex normals (his flat and smooth shading).
   bool is_flat_shaded = false;
   double light_ambient = 0;          ///< Hales's paths: a light's ambient colour as a fraction of its colour, [0, 1]
   bool has_infinite_viewer = false;  ///< Basic model: highlights as seen from infinity along the camera's axis
-  int map_size = 128;                ///< texels a side of the light maps
+  int map_size = 128;                ///< texels along a side of the light maps
   ConeMaps cone_maps = ConeMaps::scaled;
   SpotEdge spot_edge = SpotEdge::smoothstep;
   EarlyRejection early_rejection = EarlyRejection::none;

@@ -15,7 +15,7 @@ double pixels_per_radian(const scene::Camera& camera, int height) {
 View view_of(const scene::Camera& camera, glm::ivec2 size, double top_above_eye) {
   const glm::mat4 clip_from_eye = clip_from_view(camera, double(size.x) / size.y);
   const glm::mat4 view_from_world = scene::view_from_world<float>(camera);
-  // Without the eye's position: far from the origin, the rounding of a near point minus the eye would rotate the rays.
+  // Leaves out the eye's position: far from the origin, rounding of (near point - eye) would rotate the rays.
   const auto turned = glm::mat4(glm::mat3(view_from_world));
   return {.size = size,
           .eye = camera.position,

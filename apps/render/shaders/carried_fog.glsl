@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The fog light of carried lights, those on the eye's vehicle.
+// The fog light of carried lights, which are on the eye's vehicle.
 
 #include "light_list.glsl"
 #include "litfog/shaders/fog.glsl"
@@ -7,7 +7,7 @@
 vec3 litfog_lights_fog(vec3 position) {
   vec3 fog = vec3(0.0);
   int i = 0;
-  do {  // tests at its end: with a test at its beginning, drivers without branches run the body once more
+  do {  // tests at the end: with a test at the beginning, drivers without branches run the body once more
     if (i < carried_count) fog += litfog_light_fog(carried_light(i), position);
     ++i;
   } while (i < carried_count);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The values of a corner that every geometry shader passes on, from vertex.glsl to rasterised.glsl. The vertex shader
-// before it renames its outputs (geometry_corner.vert).
+// The values of a corner that every geometry shader passes from vertex.glsl to rasterised.glsl. The vertex shader
+// renames its outputs (geometry_corner.vert).
 
 #include "generated/material.glsl"
 

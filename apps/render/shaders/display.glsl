@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// From a scene's light, linear and unbounded, to what a display shows. C++ takes this text through render/display.cpp;
-// render/display.h says where the tone curves are from.
+// From a scene's light, linear and unbounded, to a display. Also compiled as C++ (render/display.cpp); render/display.h
+// has the sources of the tone curves.
 
 #ifndef __cplusplus
 #include "scene/hash.glsl"
 #include "scene/srgb.glsl"
 #endif
 
-// What is below 0 or not a number is black. A large number stands for infinity, whose ratios are no numbers.
+// Negative values and NaN become black. A large number replaces infinity, whose ratios are NaN.
 float exposed(float light, float gain) { return light > 0.0f ? min(light * gain, 1.0e30f) : 0.0f; }
 
-// The names and figures are those of the published definition.
+// Names and figures as in the published definition.
 vec3 neutral(vec3 color) {
   const float f90 = 0.04f;
   const float start_compression = 0.8f - f90;
@@ -29,9 +29,9 @@ vec3 neutral(vec3 color) {
 // color  exposed
 vec3 toned(bool is_neutral, vec3 color) { return is_neutral ? neutral(color) : min(color, 1.0f); }
 
-// A toned value in sRGB, in 1/255, dithered against banding: the mean is the value.
+// A toned value in sRGB, in 1/255, dithered against banding without a bias.
 //
-// index  of the value in the picture: the top row comes first, and of a pixel its red
+// index  the value's index in the picture: top row first, red first
 float shown_level(float shown, uint index) {
   return min(floor(255.0f * srgb_from_linear(shown) + unit_float(hash(index))), 255.0f);
 }

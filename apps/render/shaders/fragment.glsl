@@ -14,7 +14,7 @@
 
 out vec4 color;
 
-// Sums the light of the fog over lights passed as uniforms or, if they are too many, read through the light list.
+// Sums the fog's light over lights passed as uniforms or, if there are too many, read through the light list.
 vec3 litfog_lights_fog(vec3 position) {
   vec3 fog = vec3(0.0);
   if (has_listed_fog_lights) {
@@ -27,7 +27,7 @@ vec3 litfog_lights_fog(vec3 position) {
   return fog;
 }
 
-// How far lights reach, as a multiple of their extents.
+// The range up to which lights light surfaces, as a multiple of their extents.
 uniform float reach;
 
 // A light with the extent up to which it lights surfaces.
@@ -36,7 +36,7 @@ LitfogLight surface_light(LitfogLight light) {
   return light;
 }
 
-// Fraction of a light that is left at a height at a range from the lamp.
+// Fraction of a lamp's light that is left at a height and range.
 float lamp_factor(LitfogLight light, float height, float range) {
   return is_lamp_leg_fogged ? litfog_lamp_factor(light, height, range) : 1.0;
 }
@@ -46,15 +46,15 @@ float opacity_before(vec3 position) {
   return litfog_fog_opacity(position.y, eye.y, distance(position, eye), 1.0);
 }
 
-// Light from the vertices, not below 0. At the centre of a pixel that a triangle only partly covers it is extrapolated.
+// Light from the vertices, at least 0. At the centre of a pixel that a triangle only partly covers it is extrapolated.
 vec3 vertex_light(vec3 interpolated) { return max(interpolated, vec3(0.0)); }
 
-// What the fog before a position scatters of the directional light.
+// The directional light's airlight before a position.
 vec3 moon_airlight_before(vec3 position) {
   return is_lamp_leg_fogged && has_moon ? moon_airlight(position, eye) : vec3(0.0);
 }
 
-// A pass's light from the surface as the eye sees it. The first pass also adds the fog's own light.
+// A pass's light from the surface, after the fog. The first pass also adds the fog's own light.
 vec4 seen_by_eye(vec3 lit, vec3 position) {
   if (is_first_pass) return vec4(litfog_apply_fog(lit, position, eye) + moon_airlight_before(position), 1.0);
   return vec4(lit * (1.0 - opacity_before(position)), 1.0);

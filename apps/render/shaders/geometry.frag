@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The inputs of a fragment's shading, before any formula is applied. The CPU shades from them in double.
+// The inputs of a fragment's shading. The CPU shades from them in double.
 
 #define WITHOUT_COLOR
 #include "rasterised.glsl"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Passes a triangle on unchanged, for comparison with a path that has a geometry shader. Such a shader may change the
-// last bit of depth, and the same one of two coplanar surfaces must be visible.
+// Passes a triangle on unchanged, for comparison with a path that has a geometry shader. Geometry shaders may change
+// the last bit of depth, and the same one of two coplanar surfaces must be visible.
 
 #include "corner.glsl"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A lamp's disc. With an edge of kDiscEdge its pixels sum up to the same within 0.6 %, wherever its middle lies in one.
+// A lamp's disc. With an edge of kDiscEdge its pixels add up to the same sum within 0.6 % at any subpixel position.
 
 uniform float disc_edge;
 

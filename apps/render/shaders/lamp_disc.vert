@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A lamp as the eye sees it in pictures by airlight: a disc that carries the light that it sends to the eye through the
-// fog at the density of its class (Allard's law). The values of its pixels times their solid angles sum up to pi times
-// the illuminance at the eye, both in the unit of colours: a white surface shows E / pi of E lux. A disc smaller than a
-// pixel is drawn as one that is not.
+// A lamp in pictures by airlight: a disc whose light reaches the eye through fog at the density of the lamp's class
+// (Allard's law). Its pixels times their solid angles add up to pi times the illuminance at the eye, both in the unit
+// of colours: a white surface at E lux shows E / pi. A disc smaller than a pixel is enlarged to one.
 
 #include "cookie.glsl"
 #include "light_list.glsl"
@@ -11,8 +10,8 @@
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
-uniform float pixels_per_radian;  // at the picture's middle
-uniform float disc_edge;          // half of the width over which a disc's edge is soft, pixels
+uniform float pixels_per_radian;  // at the picture's centre
+uniform float disc_edge;          // half the width of a disc's soft edge, pixels
 uniform int first_point;          // in the light list
 
 flat out vec3 disc_color;
@@ -29,12 +28,12 @@ void main() {
                   (litfog_attenuation(range, light.attenuation.x, light.attenuation.y, light.attenuation.z) *
                    litfog_cone(light, to_eye) * (1.0 - opacity));
   vec4 lifted = clip_from_world * vec4(light.position_extent.xyz + to_eye * lift(range), 1.0);
-  // Of a pixel there: it falls with the cube of the cosine from the picture's middle.
+  // A pixel's solid angle falls with the cube of the cosine from the picture's centre.
   float cosine = lifted.w / (range - lift(range));
   float solid_angle = cosine * cosine * cosine / (pixels_per_radian * pixels_per_radian);
   float radius = source_radius_at(gl_VertexID);
   disc_radius = max(radius * inversesqrt((range * range + radius * radius) * solid_angle), 1.0);
-  // The edge adds a fifth of the square of its half width to that of the disc's radius: the integral of smoothstep.
+  // The soft edge adds 1/5 of its squared half width to the squared radius: the integral of smoothstep.
   disc_color = arriving / (solid_angle * (disc_radius * disc_radius + 0.2 * disc_edge * disc_edge));
   point_size = 2.0 * (disc_radius + disc_edge) + 1.0;
   gl_PointSize = point_size;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-// The few lights of a pass, passed as uniforms: first those that light the fog, then those that light the surface. If
-// the pass takes all lights (first_light_in_pass is 0), the fog's lights also light the surface and are stored once.
-// Their number is known when the shader is compiled (pass.glsl), and EACH_LIGHT and EACH_FOG_LIGHT are unrolled loops:
-// by the light list, each vector of a light is looked up for each fragment.
+// The few lights that a pass takes as uniforms: first those that light the fog, then those that light the surface. If
+// first_light_in_pass is 0, the fog's lights also light the surface and are stored once. Their number is known when the
+// shader is compiled (pass.glsl), so EACH_LIGHT and EACH_FOG_LIGHT are unrolled loops. The light list would cost a
+// fetch of each vector for each fragment.
 
 #include "cookie.glsl"
 #include "litfog/shaders/light.glsl"

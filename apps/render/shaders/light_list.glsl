@@ -6,7 +6,7 @@
 
 uniform isamplerBuffer light_list;
 uniform int carried_count;
-uniform int first_radius;  // in the light list, of those of the lamps that are drawn as points
+uniform int first_radius;  // index in the light list; the radii of the lamps that are drawn as points
 
 int light_entry(int i) { return texelFetch(light_list, i).x; }
 LitfogLight light_at(int i) { return litfog_buffered_light(light_entry(i)); }

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// A bright core and, where the point has grown, a faint halo (glare in the eye). The figures are chosen by eye.
+// A bright core and, if the point has grown, a faint halo (glare in the eye). The figures are chosen by eye.
 
 flat in vec3 point_color;
 flat in float core_fraction;
 out vec4 color;
 
-const float least_core = 0.02;   // fraction of the squared radius: a pixel of a point that has grown
+const float least_core = 0.02;   // fraction of the squared radius: one pixel of a point that has grown
 const float halo_falloff = 0.8;  // per squared radius: 1/150 at the point's edge
 
 // point_list.h:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-// A light as the eye sees it from afar in pictures by peak: a point with glare, as bright as the light that it sends to
-// the eye through the fog at the density of its class (by airlight: lamp_disc.vert). Constants without a source are chosen by eye; those that the CPU needs to leave out points are
-// in point_list.h.
+// A distant light in pictures by peak: a point with glare, as bright as the light that reaches the eye through fog at
+// the density of the light's class (by airlight: lamp_disc.vert). Constants without a source are chosen by eye;
+// point_list.h has those that the CPU needs to leave out points.
 
 #include "cookie.glsl"
 #include "light_list.glsl"
@@ -10,7 +10,7 @@
 
 uniform mat4 clip_from_world;
 uniform vec3 eye;
-uniform float point_radii;  // the point's size in radii of its glare: beyond half of it nothing is left
+uniform float point_radii;  // the point's size in radii of its glare, which is black beyond half of it
 uniform float pixel_scale;  // the picture's height over kPointPictureHeight
 uniform int first_point;  // in the light list
 // point_list.h:
@@ -33,7 +33,7 @@ void main() {
   float through = 1.0 - litfog_fog_opacity(light.position_extent.y, eye.y, range, light.attenuation.w);
   float sent = attenuation * litfog_cone(light, to_eye);
   float brightness = sent * through / full_brightness;
-  // Beyond full brightness a point grows instead; below, it fades. Fog dims a point's glare, but does not shrink it.
+  // Above full brightness a point grows; below, it fades. Fog dims a point's glare but does not shrink it.
   float growth = clamp(pow(max(sent / full_brightness, 1.0), glare_power), 1.0, largest_growth);
   float radius = core_radius * growth * pixel_scale;
   point_color = light.color_intensity.rgb * min(brightness, brightest);

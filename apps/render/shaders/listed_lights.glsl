@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
-// The lights of a surface that has too many for uniforms, through the light list.
+// The lights of a surface with too many for uniforms, read through the light list.
 
 #include "light_batch.glsl"
 #include "light_list.glsl"
 
-uniform ivec2 light_list_range;  // first, count: of this surface
+uniform ivec2 light_list_range;  // first, count
 
 #ifndef is_hidden  // depth_test.glsl defines it for fragments
 #define is_hidden() false
 #endif
 
-// A loop over a surface's lights, not unrolled, unlike EACH_LIGHT. Shaders without listed lights do not have it,
-// because compilers may keep a loop that never runs, and drivers without branches run its body once.
+// A loop over a surface's lights, not unrolled like EACH_LIGHT. Shaders without listed lights lack it, because
+// compilers may keep a loop that never runs, and drivers without branches run its body once.
 #define EACH_LISTED_LIGHT(DO) \
   if (has_listed_lights) { \
     int listed = is_hidden() ? 0 : light_list_range.y; \
@@ -21,8 +21,8 @@ uniform ivec2 light_list_range;  // first, count: of this surface
 int listed_entry(int i) { return light_entry(light_list_range.x + i); }
 LitfogLight listed_light(int i) { return litfog_buffered_light(listed_entry(i)); }
 
-// Whether a surface faces away from a light or is beyond its reach, a multiple of its extent. Tested before the rest of
-// the light is fetched.
+// Whether a surface faces away from a light or is beyond `reach` times its extent. Tested before the rest of the light
+// is fetched.
 bool is_out_of_reach(int i, vec3 position, vec3 normal, float reach) {
   vec4 position_extent = litfog_buffered_position_extent(listed_entry(i));
   vec3 to_light = position_extent.xyz - position;

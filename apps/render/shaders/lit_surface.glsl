@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A lamp's light on a surface of the Basic model. By airlight, fog between lamp and surface dims it.
+// A lamp's light on a surface of the Basic model. By airlight the fog between lamp and surface dims it.
 
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// A pass's shader for materials with a mask, emission or a pane's opacity beside colour and normals, and for fragments
-// that test their depth late.
+// Wraps a pass's shader for materials with a mask, emission or opacity, and for fragments that test their depth late.
 
 #define main shade_surface
 #include "generated/pass.frag"
@@ -27,6 +26,6 @@ void main() {
   color = over_what_is_behind(color.rgb);
 #endif
 #ifdef MATERIAL_MASK
-  if (base_texel().a < coverage) discard;  // last: textures are filtered by their neighbours' coordinates
+  if (base_texel().a < coverage) discard;  // last, because texture filters need the neighbours' coordinates
 #endif
 }

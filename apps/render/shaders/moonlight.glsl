@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The directional light in fog that it lights (render::is_fog_moonlit). In other fog it lights surfaces alone, as in
+// The directional light in fog that it lights (render::is_fog_moonlit). In other fog it lights only surfaces, as in
 // clear air.
 
 #include "litfog/shaders/directional_airlight.glsl"
@@ -12,7 +12,7 @@ float moon_fog_factor(float height) {
   return is_fog_moonlit ? litfog_directional_factor(height, moon_direction, light_top) : 1.0;
 }
 
-// What the fog between the eye and a position scatters of the directional light.
+// The directional light's airlight between the eye and a position.
 vec3 moon_airlight(vec3 position, vec3 eye) {
   float range = distance(position, eye);
   if (!is_fog_moonlit || range == 0.0) return vec3(0.0);
@@ -20,9 +20,9 @@ vec3 moon_airlight(vec3 position, vec3 eye) {
                                                                             moon_direction, light_top));
 }
 
-// How far the moon lights the fog along a ray to the sky: up to where its light enters.
+// The length of a ray to the sky on which the moon lights the fog: up to where its light enters.
 //
-// range  metres that the ray runs through the fog
+// range  the ray's length in the fog, metres
 float moonlit_before_sky(float range, vec3 direction, vec3 eye) {
   return direction.y > 0.0 ? min(range, max(light_top - eye.y, 0.0) / direction.y) : range;
 }

@@ -7,8 +7,8 @@ uniform float star_brightness;
 uniform vec3 moon_direction;
 uniform vec3 moon_color;
 
-// Three numbers in [0, 1) for a cell. They are made of integers, so that every device shows the same stars: pcg3d
-// (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering").
+// Three numbers in [0, 1) for a cell, from integers, so that every device shows the same stars: pcg3d (Jarzynski and
+// Olano 2020, "Hash Functions for GPU Rendering").
 vec3 hash(ivec3 cell) {
   uvec3 v = uvec3(cell) * 1664525u + 1013904223u;
   v.x += v.y * v.z;
@@ -21,7 +21,7 @@ vec3 hash(ivec3 cell) {
   return vec3(v >> 8u) / 16777216.0;
 }
 
-// At most one star in each cell of a grid on the direction's cube, in the middle of the cell.
+// At most one star in each cell of a grid on the direction's cube, at the cell's centre.
 float star(vec3 direction) {
   vec3 a = abs(direction);
   float largest = max(a.x, max(a.y, a.z));

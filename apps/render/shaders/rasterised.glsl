@@ -22,7 +22,7 @@ uniform sampler2D normal_map;
 #endif
 
 // The position, clamped to the surface's bounds: a partly covered pixel is shaded at its centre, which near the horizon
-// may be many metres beyond the surface, within reach of other lights. With one sample a pixel it never is.
+// may be many metres beyond the surface, within reach of other lights. With one sample a pixel this never happens.
 #ifdef ONE_SAMPLE
 vec3 fragment_position() { return rasterised_position; }
 #else
@@ -41,7 +41,7 @@ vec4 base_texel() {
 
 // Reflectance by the first texture and the vertices' colour; a is gloss.
 #if defined MATERIAL_UNLIT
-vec4 first_texture() { return vec4(0.0, 0.0, 0.0, 1.0); }  // all of it is emission
+vec4 first_texture() { return vec4(0.0, 0.0, 0.0, 1.0); }  // unlit materials only emit
 #elif defined MATERIAL_MASK || defined MATERIAL_PANE
 vec4 first_texture() { return vec4(base_texel().rgb, 1.0); }
 #elif defined VERTEX_DETAILS
@@ -78,8 +78,8 @@ float fragment_opacity() { return clamp(base_texel().a * coverage, 0.0, 1.0); }
 float fragment_opacity() { return 1.0; }
 #endif
 
-// The normal map's normal in tangent space. The map's alpha gives the level that means 0 (Material::normal): 128 for an
-// alpha below 1, which is a height, and 127.5 for 1.
+// The normal map's normal in tangent space. The map's alpha selects the level that means 0 (Material::normal): 128 if
+// alpha is below 1 and holds a height, 127.5 if it is 1.
 #ifdef MATERIAL_FLAT
 vec3 mapped_normal() { return vec3(0.0, 0.0, 1.0); }
 #else

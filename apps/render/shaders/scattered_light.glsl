@@ -5,7 +5,7 @@
 
 uniform sampler3D scattered_all;
 uniform sampler3D scattered_flow;
-uniform float scattered_depth;  // metres along a ray that the grid covers; 0: there is no such light
+uniform float scattered_depth;  // metres along a ray that the grid covers; 0: none
 uniform vec2 picture_size;
 
 vec3 scattered_irradiance(vec3 position, vec3 normal) {

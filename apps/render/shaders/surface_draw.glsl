@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// What is the same all over a draw of a surface.
+// What stays the same within a draw call of a surface.
 
 uniform vec3 eye;
 
-// Of the surface.
+// The surface's.
 uniform vec3 bounds_low;
 uniform vec3 bounds_high;
 
-// Of its material.
-uniform float coverage;  // the least of a mask; of a pane, where its texels and vertices have 1
+// Its material's.
+uniform float coverage;  // a mask's least coverage; a pane's opacity where texels and vertices have 1
 uniform float normal_scale;
-uniform float relief;  // the range of its heights, in tiles
+uniform float relief;  // range of heights, in tiles
 uniform vec3 specular;
 uniform float shininess;
 uniform vec3 uniform_emissive;

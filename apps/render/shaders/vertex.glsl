@@ -23,7 +23,7 @@ out vec3 rasterised_position;
 out vec2 uv;
 invariant gl_Position;  // all passes of a surface have the same depth
 
-// Sets what every fragment shader reads; returns the position in the world.
+// Sets the inputs of every fragment shader. Returns the position in the world.
 vec3 place_vertex() {
   vec4 world = world_from_model * vec4(vertex_position, 1.0);
   rasterised_position = world.xyz;
@@ -36,6 +36,6 @@ vec3 place_vertex() {
   return world.xyz;
 }
 
-// Models are rotated and scaled uniformly, so directions transform as positions do.
+// Models are rotated and scaled uniformly, so directions transform like positions.
 vec3 world_direction(vec3 direction) { return mat3(world_from_model) * direction; }
 vec3 world_normal() { return normalize(world_direction(vertex_normal)); }

@@ -2,10 +2,10 @@
 // The normal map's normal in world space by the interpolated basis, normalised (Jason Lacroix 2005, "Let There Be
 // Light!: A Unified Lighting Technique for a New Generation of Games", listing 2.3).
 //
-// Where this leaves it: vertices carry the basis into the world, not fragments. The product is N_W = N_T T^-1 W, as his
-// equation has it; the listing multiplies by T, not T^-1, because float3x3(tangent, binormal, normal), whose rows these
-// vectors are, is T^-1 already, and it transposes that. His binormal, cross(tangent, normal), is that of w = -1;
-// mirrored textures need the other, too.
+// Differences: vertices, not fragments, transform the basis into the world. The product is N_W = N_T T^-1 W, as in his
+// equation. The listing multiplies by T: float3x3(tangent, binormal, normal), with these vectors as rows, is T^-1
+// already, and the listing transposes it. His binormal, cross(tangent, normal), is that of w = -1; mirrored textures
+// need the other, too.
 
 #include "rasterised.glsl"
 

@@ -10,11 +10,11 @@ namespace litfog::render {
 namespace {
 
 struct Ball {
-  double distance;  // from the camera to the middle, along the camera's axis
+  double distance;  // from the camera to the centre, along the camera's axis
   double radius;
 };
 
-/// The smallest ball around the camera and what it sees up to a distance along its axis.
+/// The smallest ball around the camera and its view volume up to a distance along its axis.
 ///
 /// slope  tangent of the angle between the axis and the picture's corners
 Ball ball_around(double distance, double slope) {
@@ -26,7 +26,7 @@ struct Box {
   glm::dvec3 middle, half;
 };
 
-/// A box around a box in a rotated frame.
+/// The bounds of a box in a rotated frame.
 Box turned(const scene::Bounds& box, const glm::dmat3& frame_from_world) {
   const glm::dvec3 low = box.low;
   const glm::dvec3 high = box.high;

@@ -45,7 +45,7 @@ std::vector<ShadowCaster> choose_shadow_casters(const SceneLights& lights, const
     const PlacedLight& placed = lights.lights()[std::size_t(light)];
     const double half_angle = cutoff_angle(placed.light.cone);
     const bool is_cube = half_angle > kWidestShadowMap;
-    // A map's corner is atan(sqrt(2)) from its middle.
+    // A map's corner is atan(sqrt(2)) from its centre.
     const bool is_lit_behind = half_angle > std::numbers::pi - std::atan(std::numbers::sqrt2);
     const double farthest = farthest_distance(placed.position, bounds);
     const double margin = 1 + 4.0 / map_size;  // the taps around a texel at the beam's edge

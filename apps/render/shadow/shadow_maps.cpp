@@ -74,7 +74,7 @@ void set_frame(const gl::Program& program, const Caster& caster, int map) {
 }
 
 void set_map(const gl::Program& program, const ShadowCaster& caster, int map) {
-  // A map's corner is the point of its lamp's sphere that is nearest to the lamp's plane.
+  // The corner of a map is where the lamp's sphere is nearest to the lamp's plane.
   const double near_plane = kLampRadius / std::sqrt(1 + 2 * caster.half_size * caster.half_size);
   set_frame(program, caster, map);
   set_uniform(program, "near_plane", float(near_plane));

@@ -24,8 +24,8 @@ class ShadowMaps {
   static constexpr int kNoCaster = -1;
   static constexpr std::size_t kMaxBytes = std::size_t{1} << 30;
 
-  /// scene     has to outlive this object
-  /// surfaces  that cast shadows; have to outlive this object
+  /// scene     must outlive this object
+  /// surfaces  cast the shadows; must outlive this object
   /// aspect    width over height of the pictures
   /// settings  shadows is not Shadows::none
   /// throws    gl::Unsupported where the maps would take more than kMaxBytes, or this OpenGL has no such textures
@@ -34,19 +34,19 @@ class ShadowMaps {
 
   const std::vector<ShadowCaster>& casters() const { return casters_; }
   const std::vector<MoonMap>& moon_maps() const { return moon_maps_; }
-  /// The lamps' maps and the moon's.
+  /// Number of the lamps' and the moon's maps.
   std::size_t map_count() const;
-  /// A light's caster, as shaders number casters, or kNoCaster.
+  /// The index of a light's caster in shaders, or kNoCaster.
   std::int32_t caster_of(std::size_t light) const { return caster_of_[light]; }
   std::span<const std::int32_t> caster_of_lights() const { return caster_of_; }
 
-  /// Draws the lamps' maps at the first call only, since lamps and surfaces do not change during this object's life,
-  /// and the directional light's maps whenever the scene's camera has changed. Returns how many maps were drawn.
+  /// Draws the lamps' maps at the first call only, since lamps and surfaces do not change during this object's life.
+  /// Draws the directional light's maps whenever the scene's camera has changed. Returns the number of maps drawn.
   /// Changes the bound framebuffer.
   std::size_t draw(double aspect);
   /// Binds the maps and the casters to their units.
   void bind() const;
-  /// Tells the program in use which casters are the directional light's maps.
+  /// Sets uniforms of the program in use: which casters are the directional light's maps.
   void set_moon_maps(const gl::Program& program) const;
 
  private:
@@ -60,11 +60,11 @@ class ShadowMaps {
   const scene::Scene& scene_;
   glm::dvec3 origin_;
   const SurfaceList& surfaces_;
-  scene::Bounds bounds_;  // bounds of all surfaces
+  scene::Bounds bounds_;  // around all surfaces
   std::vector<ShadowCaster> casters_;
   std::vector<MoonMap> moon_maps_;
-  std::vector<std::int32_t> caster_of_;  // one a light
-  int size_;                             // texels a side
+  std::vector<std::int32_t> caster_of_;  // one per light
+  int size_;                             // texels along a side
   bool is_drawn_ = false;
   gl::Program program_;
   gl::Program mask_program_;  // for materials with a mask

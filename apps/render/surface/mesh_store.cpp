@@ -40,7 +40,7 @@ void draw_triangles(std::size_t first, std::size_t count) {
                  reinterpret_cast<const void*>(first * sizeof(std::uint32_t)));
 }
 
-/// Sets an attribute to a member of floats of a struct in the bound GL_ARRAY_BUFFER.
+/// Sets an attribute to a struct's float member in the bound GL_ARRAY_BUFFER.
 template <typename Struct>
 void set_attribute(GLuint location, GLint components, std::size_t offset) {
   glEnableVertexAttribArray(location);
@@ -48,7 +48,7 @@ void set_attribute(GLuint location, GLint components, std::size_t offset) {
                         reinterpret_cast<const void*>(offset));
 }
 
-/// The details of all vertices, in the order of cut_into_chunks(); empty if no mesh has any.
+/// The details of all vertices in the order of cut_into_chunks(); empty if no mesh has any.
 std::vector<scene::VertexDetail> details_of(const std::vector<scene::Model>& models) {
   std::vector<scene::VertexDetail> details;
   std::size_t vertices = 0;
@@ -144,7 +144,7 @@ MeshStore::MeshStore(const std::vector<scene::Model>& models,
 void MeshStore::bind() const {
   glBindVertexArray(vertex_array_.id());
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices_.id());
-  glVertexAttrib4f(4, 1, 1, 1, 1);  // the color of vertices without details
+  glVertexAttrib4f(4, 1, 1, 1, 1);  // the colour of vertices without details
 }
 
 void MeshStore::bind_sorted(const std::vector<std::uint32_t>& indices) const {

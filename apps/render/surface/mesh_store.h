@@ -39,11 +39,11 @@ void set_vertex_attributes();
 /// The order in which triangles are drawn.
 enum class TriangleOrder { stored, reversed };
 
-/// All models of a scene in one vertex array on the GPU. If any model has details, so has the array: location 4 color,
-/// 5 the uv of normal map and emission.
+/// All models of a scene in one vertex array on the GPU. If any model has details, the array has two more attributes:
+/// location 4 colour, 5 uv of normal map and emission.
 class MeshStore {
  public:
-  /// throws     gl::Unsupported where vertices or indices would take 2^31 bytes or more, which drivers do not hold
+  /// throws     gl::Unsupported where vertices or indices would take 2^31 bytes or more, too many for drivers
   /// is_sorted  whether the chunks of a material keep their triangles
   MeshStore(const std::vector<scene::Model>& models, const std::function<bool(const std::string&)>& is_sorted);
 
@@ -51,21 +51,21 @@ class MeshStore {
   const std::vector<Chunk>& chunks(std::size_t model) const { return chunks_[model]; }
   /// Makes the vertex array current, laid out by set_vertex_attributes().
   void bind() const;
-  /// Draws a run of the chunks' indices.
+  /// Draws a range of the chunks' indices.
   void draw(std::size_t first, std::size_t count, TriangleOrder order) const;
   /// Binds these indices instead of the chunks', until the next bind().
   void bind_sorted(const std::vector<std::uint32_t>& indices) const;
-  /// Draws a run of the indices of bind_sorted().
+  /// Draws a range of the indices of bind_sorted().
   void draw_sorted(std::size_t first, std::size_t count) const;
 
  private:
   std::vector<std::vector<Chunk>> chunks_;
-  std::size_t index_count_;  // in stored order; as many follow with the triangles in reverse order
+  std::size_t index_count_;  // in stored order; followed by as many in reverse order of triangles
   gl::VertexArrayName vertex_array_;
   gl::BufferName vertices_;
   gl::BufferName details_;  // empty where no model has any
   gl::BufferName indices_;
-  gl::BufferName sorted_indices_;  // set anew in each frame
+  gl::BufferName sorted_indices_;  // replaced in each frame
 };
 
 }  // namespace litfog::render

@@ -21,7 +21,7 @@ std::string unrolled(std::size_t count) {
 
 std::size_t compiled_light_count(std::size_t lights) {
   assert(lights <= kMaxUniformLights);
-  // Few numbers, because a driver may take a second to compile a shader, and a frame has many numbers of lights.
+  // Few counts, because a driver may take a second to compile a shader, and surfaces differ in their number of lights.
   constexpr std::array<std::size_t, 6> kCounts{0, 1, 2, 4, 8, kMaxUniformLights};
   return *std::ranges::lower_bound(kCounts, lights);
 }

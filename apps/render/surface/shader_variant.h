@@ -9,19 +9,18 @@
 
 namespace litfog::render {
 
-/// The most lights that a shader takes as uniforms, for the fog as for the surface.
+/// The most lights that a shader takes as uniforms, for the fog and for the surface each.
 inline constexpr std::size_t kMaxUniformLights = 16;
-/// The most that a pass without flags takes so if it takes all lights; more are read through the light list. Drivers
-/// compile an unrolled loop light by light: with 16, the street's first picture took twice as long on llvmpipe, and a
-/// frame of it as long.
+/// The most lights that a pass of LightFeed::Kind::all without flags takes as uniforms; it reads more from the light
+/// list. Drivers compile each light of an unrolled loop: with 16, the street's first picture took twice as long on
+/// llvmpipe, and a frame as long as with 4.
 inline constexpr std::size_t kMaxUnrolledLights = 4;
 
 /// The number of lights that a shader for `lights` lights is compiled for: at least `lights`, at most
 /// kMaxUniformLights.
 std::size_t compiled_light_count(std::size_t lights);
 
-/// What some materials and meshes have, or lack, beside others: only shaders compiled with a feature pay for it
-/// (material.frag).
+/// Features of materials and meshes. Only shaders compiled with a feature pay for it (material.frag).
 struct MaterialFeatures {
   bool is_flat = false;  ///< without a normal map, where the path has them
   bool is_masked = false;
@@ -29,8 +28,8 @@ struct MaterialFeatures {
   bool is_unlit = false;
   bool has_emission_map = false;
   bool has_second_texture = false;
-  bool has_ambient = false;  ///< a Ka of its own, on paths of the Basic model
-  bool has_details = false;  ///< its vertices: scene::VertexDetail
+  bool has_ambient = false;  ///< has its own Ka, on paths of the Basic model
+  bool has_details = false;  ///< its vertices have scene::VertexDetail
 
   auto operator<=>(const MaterialFeatures&) const = default;
 };
@@ -39,14 +38,14 @@ struct MaterialFeatures {
 struct ShaderVariant {
   const SurfacePass* pass;
   MaterialFeatures material = {};
-  bool is_first = true;  ///< of the times that the pass draws a surface
+  bool is_first = true;  ///< the pass draws the surface for the first time
   bool has_listed_lights = false;
   bool has_listed_fog_lights = false;
-  std::size_t fog_light_count = 0;  ///< the first of the uniform array
-  std::size_t light_count = 0;      ///< the others
-  bool shares_lights = false;       ///< the surface is lit by the fog's lights, too
+  std::size_t fog_light_count = 0;  ///< the first lights of the uniform array
+  std::size_t light_count = 0;      ///< the other lights
+  bool shares_lights = false;       ///< the fog's lights also light the surface
   bool tests_depth_late = false;    ///< shaders/depth_test.glsl
-  std::size_t knot_count = 0;       ///< of the density profile
+  std::size_t knot_count = 0;       ///< the density profile's
 
   auto operator<=>(const ShaderVariant&) const = default;
 };

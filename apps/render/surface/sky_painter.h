@@ -12,19 +12,19 @@
 
 namespace litfog::render {
 
-/// Draws the sky behind what is in a framebuffer, by the program in use, one of shaders/sky.vert that can read the fog.
+/// Draws the sky behind the framebuffer's contents. The program in use has shaders/sky.vert and can read the fog.
 void draw_sky(const gl::Program& program, const View& view, const scene::Scene& scene);
 
 /// Draws the sky through the fog, which carried lights light. Needs a current GL context.
 class SkyPainter {
  public:
-  /// scene, fog_lights  have to outlive this object
+  /// scene, fog_lights  must outlive this object
   SkyPainter(const scene::Scene& scene, const gl::FogLightBuffer& fog_lights)
       : scene_(scene), fog_lights_(fog_lights) {}
 
   /// Light tables, the frame's light list and cookies must be bound to their units.
   ///
-  /// carried_count  number of carried lights, with which the light list begins
+  /// carried_count  number of carried lights, the first ones of the light list
   void draw(const View& view, SkyDrawing drawing, std::size_t carried_count);
 
  private:
@@ -32,7 +32,7 @@ class SkyPainter {
 
   const scene::Scene& scene_;
   const gl::FogLightBuffer& fog_lights_;
-  std::map<std::pair<SkyDrawing, bool>, gl::Program> programs_;  // each compiled when first asked for
+  std::map<std::pair<SkyDrawing, bool>, gl::Program> programs_;  // compiled on first use
 };
 
 }  // namespace litfog::render

@@ -17,7 +17,7 @@ namespace litfog::render {
 namespace {
 
 constexpr std::size_t kMaxListed = 1 << 25;            // lights in all surfaces' lists: 128 MiB
-constexpr std::size_t kMaxListedBeyondEnds = 1 << 22;  // where lights may have a shorter reach instead
+constexpr std::size_t kMaxListedBeyondEnds = 1 << 22;  // the same, if a shorter reach is left
 
 scene::Bounds around(const std::vector<scene::Bounds>& boxes) {
   scene::Bounds whole = boxes.front();
@@ -25,7 +25,7 @@ scene::Bounds around(const std::vector<scene::Bounds>& boxes) {
   return whole;
 }
 
-/// A scene's pictures on the GPU, each uploaded once.
+/// A scene's textures on the GPU, each uploaded once.
 class TextureStore {
  public:
   std::shared_ptr<const Texture> upload(const std::shared_ptr<const scene::Texels>& texels,
@@ -41,7 +41,7 @@ class TextureStore {
 
 const std::string& material_name(const SurfaceMaterial& material) { return material.material.name; }
 
-/// The largest component of a material's base texture, and its largest gloss. Mipmaps and filters are means of texels.
+/// The largest component of a material's base texture, and its largest gloss. Mipmaps and filters only average texels.
 struct Largest {
   double albedo;
   double gloss;
@@ -71,16 +71,16 @@ bool is_flat(const scene::Texels& normals) {
   return true;
 }
 
-/// The largest component of a material's own light.
+/// The largest component of a material's emission.
 double most_emitted(const scene::Material& material, const Largest& most) {
   const double emissive = largest_component(material.emissive);
   if (material.is_unlit) return emissive * most.albedo;
   return material.emission ? emissive * largest_of(*material.emission).albedo : emissive;
 }
 
-/// A scene's materials on the GPU, sorted by name.
+/// Uploads a scene's materials, sorted by name.
 ///
-/// earlier  materials that are kept where names agree
+/// earlier  kept where names agree
 std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, std::vector<SurfaceMaterial> earlier = {}) {
   std::ranges::sort(materials, {}, &scene::Material::name);
   TextureStore textures;
@@ -123,7 +123,7 @@ SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, S
 }
 
 void SurfaceList::set_objects(const scene::Scene& scene) {
-  surfaces_.clear();  // surfaces point into what is replaced below
+  surfaces_.clear();  // they point into what is replaced below
   materials_ = upload(scene.materials, std::move(materials_));
   meshes_ = upload_meshes(scene);
 }
@@ -184,7 +184,7 @@ bool SurfaceList::list_lights(const scene::Scene& scene, const SceneLights& ligh
       surfaces_.push_back(surface);
     }
   }
-  // By name, not by address, because the order decides which of two coplanar surfaces is visible.
+  // By name, not by address: the order decides which of two coplanar surfaces is visible.
   std::ranges::stable_sort(surfaces_, {}, [](const Surface& surface) { return surface.material->material.name; });
   return true;
 }

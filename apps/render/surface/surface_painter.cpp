@@ -16,13 +16,13 @@
 namespace litfog::render {
 namespace {
 
-constexpr std::size_t kDrawnAtOnce = 500;  // surfaces, between which an interruption may come
+constexpr std::size_t kDrawnAtOnce = 500;  // surfaces drawn between two polls of the interruption
 
-/// In place of lights that a shader is compiled for and a surface lacks: black. Paths that do not clamp the attenuation
-/// need one that is finite.
+/// Stands for lights that a shader is compiled for and a surface lacks. Its attenuation is finite, because some paths
+/// do not clamp it.
 constexpr PackedLight kBlack{.kind = {.attenuation_extent = {1, 0, 0, 0}, .cone_scale_intensity = {}}, .instance = {}};
 
-constexpr double kFarReach = 1e30;  // times an extent of 0 it is none
+constexpr double kFarReach = 1e30;  // finite, so that times an extent of 0 it is 0
 
 void set_blend(Blend blend) {
   (blend == Blend::replace ? glDisable : glEnable)(GL_BLEND);
@@ -41,9 +41,9 @@ void set_blend(Blend blend) {
   }
 }
 
-/// The first pass of a surface decides which samples it covers. Each later pass draws each of them once, because the
-/// stencil counts the passes of a sample. Where several triangles have the same depth, the first pass keeps the last
-/// one; later passes keep the first one, so they draw the triangles in reverse order.
+/// The first pass of a surface decides which samples it covers. Each later pass draws each of these once, because the
+/// stencil counts a sample's passes. Of several triangles at the same depth, the first pass keeps the last one; later
+/// passes keep the first one, so they draw the triangles in reverse order.
 void select_samples(int pass) {
   glDepthFunc(pass == 0 ? GL_GEQUAL : GL_EQUAL);
   glDepthMask(pass == 0 ? GL_TRUE : GL_FALSE);
@@ -81,7 +81,7 @@ void set_material_uniforms(const ShaderVariant& variant, const SurfaceMaterial& 
   set_uniform(program, "metal_roughness", material.metal_roughness);
 }
 
-/// How many of the first surfaces are drawn with the same state but for their places.
+/// The number of leading surfaces that are drawn with the same GL state except their transforms.
 std::size_t count_alike(const FramePlan& plan, std::span<const PlannedSurface> surfaces) {
   const PlannedSurface& first = surfaces[0];
   const auto is_alike = [&](const PlannedSurface& other) {
@@ -95,27 +95,27 @@ std::size_t count_alike(const FramePlan& plan, std::span<const PlannedSurface> s
 
 }  // namespace
 
-/// What draw() keeps between surfaces.
+/// State that draw() keeps between surfaces.
 struct SurfacePainter::Frame {
   const LightingPath& path;
   const View& view;
   const FrameLight& light;
   std::size_t number;
-  int passes_drawn = 0;  // of the surface being drawn
+  int passes_drawn = 0;  // for the current surface
   std::size_t bytes = 0;
   const SurfaceProgram* used = nullptr;
   const SurfaceMaterial* bound = nullptr;
-  // Of panes:
+  // For panes:
   bool draws_panes = false;
   const PaneAirlight* airlight = nullptr;
-  std::size_t first = 0;  // of the sorted indices of the surface being drawn
+  std::size_t first = 0;  // the current surface's range of the sorted indices
   std::size_t count = 0;
 };
 
-/// The lights that a pass takes as uniforms: those of the fog, then those of the surface.
+/// The lights that a pass takes as uniforms: the fog's, then the surface's.
 struct SurfacePainter::LightUniforms {
   std::vector<PackedLight> lights;
-  std::vector<std::int32_t> casters;  // of each light; empty without shadows
+  std::vector<std::int32_t> casters;  // one per light; empty without shadows
 };
 
 SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lights,
@@ -148,10 +148,10 @@ std::size_t SurfacePainter::draw(const LightingPath& path, const FramePlan& plan
       !path.has_several_passes()) {
     draw_depths(frame, plan);
   }
-  // Of several passes, all of a surface are drawn before the next surface, because the later of two coplanar ones hides
-  // the earlier.
+  // With several passes, one surface is finished before the next, because the later of two coplanar ones hides the
+  // earlier.
   const std::size_t most_alike = path.has_several_passes() ? 1 : kDrawnAtOnce;
-  std::size_t drawn = kDrawnAtOnce;  // since the interruption was asked for
+  std::size_t drawn = kDrawnAtOnce;  // since the last poll
   for (std::span<const PlannedSurface> rest = plan.surfaces; !rest.empty();) {
     if (drawn >= kDrawnAtOnce) {
       if (interruption.has_come()) break;
@@ -246,7 +246,7 @@ void SurfacePainter::draw_surfaces(Frame& frame, std::span<const PlannedSurface>
         break;
       }
       case LightFeed::Kind::batches: {
-        bool is_first = pass.blend == Blend::replace;  // which is drawn even without lights
+        bool is_first = pass.blend == Blend::replace;  // drawn even without lights
         while (is_first || !rest.empty()) {
           const auto batch = rest.first(batch_length(rest, pass.lights.batch_size, maps_.kinds()));
           const bool are_listed = is_first && pass.lights.lists_rest && batch.size() < rest.size();
@@ -283,7 +283,7 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
     }
   }
   const std::size_t first = uniforms.lights.size();
-  // A pass that takes all lights computes once what the fog's lights and the surface's have in common.
+  // A pass that takes all lights computes once what the fog and the surface share.
   const LightFeed& feed = variant.pass->lights;
   variant.shares_lights =
       feed.kind == LightFeed::Kind::all && !feed.has_flags && !variant.has_listed_lights && first > 0;
@@ -294,7 +294,7 @@ void SurfacePainter::draw_pass(Frame& frame, std::span<const PlannedSurface> ali
   const std::size_t count = uniforms.lights.size() - first;
   variant.light_count = has_maps() ? count : feed.has_flags ? kMaxUniformLights : compiled_light_count(count);
   resize_uniforms(first + variant.light_count);
-  // Loops over lists end early where depths are tested first. Several passes need the stencil for themselves.
+  // Loops over lists end early if depths are tested first. Several passes need the stencil for themselves.
   variant.tests_depth_late = programs_.should_test_depth_late() &&
                              settings_.papers.early_rejection == EarlyRejection::none &&
                              feed.kind == LightFeed::Kind::all && !frame.path.has_several_passes() &&
@@ -333,7 +333,7 @@ void SurfacePainter::draw_variant(Frame& frame, std::span<const PlannedSurface> 
 
 void SurfacePainter::draw_triangles(Frame& frame, std::span<const PlannedSurface> alike, const SurfaceProgram& program,
                                     TriangleOrder order) {
-  const bool have_bounds = settings_.samples > 1;  // shaders/rasterised.glsl; without, neighbours are drawn as one
+  const bool have_bounds = settings_.samples > 1;  // shaders/rasterised.glsl; without, neighbours share a draw call
   for (std::size_t i = 0; i < alike.size();) {
     const glm::mat4& world_from_model = alike[i].surface->world_from_model;
     const scene::Bounds& bounds = alike[i].surface->bounds;

@@ -21,42 +21,42 @@
 
 namespace litfog::render {
 
-/// What lights surfaces apart from lamps themselves, drawn for the frame.
+/// A frame's shadows, and its scattered light on surfaces.
 struct FrameLight {
-  const ShadowMaps* shadows = nullptr;        ///< of the lamps, bound; null: none
+  const ShadowMaps* shadows = nullptr;        ///< bound; null: none
   const ScatteredLight* scattered = nullptr;  ///< null: none
 };
 
 /// Draws a scene's surfaces by a lighting path. Needs a current GL context.
 class SurfacePainter {
  public:
-  /// scene, lights, fog_lights  have to outlive this
+  /// scene, lights, fog_lights  must outlive this object
   /// throws  gl::Unsupported where this OpenGL cannot hold the scene's light lists or the path's light maps
   SurfacePainter(const scene::Scene& scene, const SceneLights& lights, const gl::FogLightBuffer& fog_lights,
                  const RenderSettings& settings);
 
-  /// Takes a change of the scene's objects; set_lights() has to follow.
+  /// Applies a change of the scene's objects; set_lights() must follow.
   ///
-  /// throws  as the constructor
+  /// throws  like the constructor
   void set_objects() { surfaces_.set_objects(scene_); }
-  /// Takes a change of the lights; one of the fog has to follow.
+  /// Applies a change of the lights; set_fog() must follow.
   ///
-  /// throws  gl::Unsupported as the constructor
+  /// throws  gl::Unsupported like the constructor
   void set_lights();
-  /// Takes a change of the ambient light or the moon's. The first one compiles all programs anew, further ones none.
+  /// Applies a change of the ambient light or the moon's. Only the first one recompiles all programs.
   void set_environment_light() { programs_.make_environment_light_uniform(); }
-  /// Takes a change of the fog, which the lights have taken. knots: of its density profile.
+  /// Applies a change of the fog, after the lights. knots: number in its density profile.
   void set_fog(std::size_t knots);
-  /// Draws the surfaces of a plan but for its panes. Its light list is bound to its unit.
+  /// Draws the surfaces of a plan without its panes. The plan's light list must be bound to its unit.
   ///
-  /// interruption  after which it draws no more
-  /// returns       bytes that the draws were passed
+  /// interruption  stops drawing
+  /// returns       bytes uploaded
   std::size_t draw(const LightingPath& path, const FramePlan& plan, const View& view, const FrameLight& light,
                    Interruption& interruption);
   /// Whether there are panes that draw() leaves out.
   bool has_panes() const { return settings_.path->draws_panes() && surfaces_.has_panes(); }
-  /// Draws a plan's panes likewise, triangle by triangle from the farthest to the nearest. Premultiplied by their
-  /// opacity, which is alpha; how they are blended is the caller's to set.
+  /// Draws a plan's panes, triangle by triangle from the farthest to the nearest. Colours are premultiplied by alpha,
+  /// the panes' opacity; the caller sets the blending.
   ///
   /// airlight  before the panes; null: none
   std::size_t draw_panes(const LightingPath& path, const FramePlan& plan, const View& view, const FrameLight& light,
@@ -69,19 +69,19 @@ class SurfacePainter {
 
   /// Draws the depths of a plan's surfaces that have neither masks nor panes.
   void draw_depths(Frame& frame, const FramePlan& plan);
-  bool has_maps() const { return !maps_.kinds().empty(); }  // which hold the cones
-  /// Draws surfaces that differ in their places only; of several passes all, so that there may be but one surface.
+  bool has_maps() const { return !maps_.kinds().empty(); }
+  /// Draws all passes of surfaces that differ only in their transforms. With several passes there must be one surface.
   void draw_surfaces(Frame& frame, std::span<const PlannedSurface> alike, std::span<const std::int32_t> lights);
-  /// Draws them by the lights of their fog and a batch of their own. Fills in what the variant is compiled for.
+  /// Draws a pass with the fog's lights and a batch of the surfaces' lights. Completes the variant.
   void draw_pass(Frame& frame, std::span<const PlannedSurface> alike, ShaderVariant variant,
                  std::span<const std::int32_t> fog_lights, std::span<const std::int32_t> batch);
-  /// Draws them by such a variant and its uniforms, which hold the batch's lights.
+  /// Draws a pass with a complete variant and its uniforms, which hold the batch's lights.
   void draw_variant(Frame& frame, std::span<const PlannedSurface> alike, const ShaderVariant& variant,
                     const LightUniforms& uniforms, std::span<const std::int32_t> batch);
   void draw_triangles(Frame& frame, std::span<const PlannedSurface> alike, const SurfaceProgram& program,
                       TriangleOrder order);
   SurfaceProgram& use(Frame& frame, const ShaderVariant& variant, const SurfaceMaterial& material);
-  /// Sets what stays the same in a frame, for the program in use.
+  /// Sets the uniforms of the program in use that stay the same within a frame.
   void set_frame_uniforms(const Frame& frame, const ShaderVariant& variant, const gl::Program& program) const;
 
   const scene::Scene& scene_;
@@ -92,7 +92,7 @@ class SurfacePainter {
   LightMapStore maps_;
   SurfacePrograms programs_;
   std::vector<std::int32_t> fog_lights_;
-  std::size_t knots_ = 0;  // of the density profile
+  std::size_t knots_ = 0;  // the density profile's
   std::size_t frames_ = 0;
 };
 

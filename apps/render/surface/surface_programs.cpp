@@ -15,7 +15,7 @@ namespace {
 
 std::string glsl(const glm::vec3& v) { return fmt::format("vec3({}, {}, {})", v.x, v.y, v.z); }
 
-/// The light that is not from lamps, as constants, because some drivers look a uniform up for every fragment.
+/// The light that is not from lamps, as constants, because some drivers read uniforms anew for every fragment.
 std::string environment_light_constants(const scene::Environment& environment) {
   return fmt::format(
       "const vec3 ambient_light = {};\n"
@@ -32,7 +32,7 @@ constexpr const char* kEnvironmentLightUniforms =
     "uniform vec3 moon_direction;\n"
     "uniform vec3 moon_color;\n";
 
-/// What stays the same as long as a renderer, as constants, too.
+/// Settings, which a renderer never changes, as constants.
 std::string settings_constants(const RenderSettings& settings) {
   return fmt::format(
       "const bool has_infinite_viewer = {};\n"

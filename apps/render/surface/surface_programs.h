@@ -13,7 +13,7 @@
 
 namespace litfog::render {
 
-/// A variant's program, and what its uniforms were set to last.
+/// A variant's program, and the last values of its uniforms.
 struct SurfaceProgram {
   explicit SurfaceProgram(gl::Program linked);
 
@@ -24,28 +24,28 @@ struct SurfaceProgram {
   const SurfaceMaterial* material = nullptr;
 };
 
-/// The programs that draw a scene's surfaces, each compiled when it is first asked for. Needs a current GL context.
+/// The programs that draw a scene's surfaces, each compiled on first use. Needs a current GL context.
 class SurfacePrograms {
  public:
   SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings);
 
-  /// From now on programs have the ambient light and the moon's as uniforms in place of constants: ambient_light,
-  /// has_moon, moon_direction and moon_color.
+  /// Turns the ambient light and the moon's from constants of the programs into uniforms: ambient_light, has_moon,
+  /// moon_direction and moon_color.
   void make_environment_light_uniform();
   bool is_environment_light_uniform() const { return is_environment_light_uniform_; }
 
-  /// Good as long as this.
+  /// The program of a variant, valid as long as this object.
   SurfaceProgram& program(const ShaderVariant& variant);
-  bool should_test_depth_late() const { return should_test_depth_late_; }  ///< as render::should_test_depth_late()
+  bool should_test_depth_late() const { return should_test_depth_late_; }  ///< render::should_test_depth_late()
 
  private:
   bool has_cookies_;
   bool has_shadows_;
   bool should_test_depth_late_;
-  std::string samples_;  // the beginning of material.glsl, which all that reads a fragment's position includes
+  std::string samples_;  // the beginning of material.glsl, which every reader of a fragment's position includes
   bool is_environment_light_uniform_ = false;
   std::string environment_light_;  // the beginning of environment.glsl
-  std::string settings_;           // the rest
+  std::string settings_;           // the rest of environment.glsl
   std::span<const gl::ShaderSource> path_shaders_;
   std::map<ShaderVariant, SurfaceProgram> programs_;
 };

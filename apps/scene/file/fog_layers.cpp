@@ -23,7 +23,7 @@ std::vector<FogLayer> read_fog_layers(const files::JsonValue& value) {
   for (const files::JsonValue& layer : value.items()) layers.push_back(read_layer(layer));
   try {
     make_density_profile(layers);
-  } catch (const std::invalid_argument&) {  // no layer is wrong by itself
+  } catch (const std::invalid_argument&) {  // no single layer is wrong
     value.fail("must have at most 8 heights at which its density bends: 4 a layer, 2 where it has no base or no top");
   }
   return layers;

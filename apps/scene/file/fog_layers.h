@@ -9,8 +9,8 @@
 
 namespace litfog::scene {
 
-/// Layers of fog as scene files state them, in metres. Throws InputError, also where together they need more knots than
-/// a profile has.
+/// Layers of fog as scene files state them, in metres. Throws InputError, also if together they need more knots than a
+/// profile has.
 ///
 ///     [{"base_m": 200, "top_m": 300,     optional: without base or top
 ///       "transition_m": 40,              optional: 0

@@ -21,11 +21,11 @@ class GltfDraco {
 
   /// An attribute, if it is compressed.
   ///
-  /// name    as the primitive's
-  /// format  its accessor's
+  /// name    as in the primitive
+  /// format  the accessor's
   /// throws  InputError
   std::optional<GltfNumbers> attribute(std::string_view name, GltfNumbers format) const;
-  /// Three a triangle.
+  /// Three indices per triangle.
   GltfNumbers indices() const;
 
  private:
@@ -40,11 +40,11 @@ using files::JsonValue;
 
 inline constexpr std::string_view kMeshopt = "EXT_meshopt_compression";
 
-/// The bytes of a buffer view that is compressed.
+/// Decodes a compressed buffer view.
 ///
 /// compression  the view's extension
-/// bytes        the compressed ones
-/// max_bytes    more decoded ones are an error
+/// bytes        compressed
+/// max_bytes    limit of decoded bytes
 /// throws       InputError
 std::string decode_meshopt(const JsonValue& compression, std::string_view bytes, std::size_t max_bytes);
 

@@ -61,7 +61,7 @@ void expect_version(const JsonValue& asset) {
   if (least && least->string() != "2.0") least->fail("must be \"2.0\", which is what this program knows");
 }
 
-/// A component type that its use allows.
+/// Parses a component type, which must be one of those allowed.
 GltfComponent component_of(const JsonValue& type, std::initializer_list<GltfComponent> allowed) {
   const auto component = GltfComponent(whole_number(type));
   if (std::ranges::find(allowed, component) != allowed.end()) return component;
@@ -139,7 +139,7 @@ void GltfFile::read_buffers() {
     const std::size_t size = whole_number(length);
     const bool has_uri = buffer.optional("uri").has_value();
     const bool is_chunk = bytes_.empty() && !binary_chunk_.empty() && !has_uri;
-    if (!is_chunk && !has_uri) {  // it stands for the decoded bytes of compressed views, or fails where it is used
+    if (!is_chunk && !has_uri) {  // holds decoded bytes of compressed views, or else fails where it is used
       bytes_.emplace_back();
       continue;
     }
@@ -195,7 +195,7 @@ GltfNumbers GltfFile::numbers(const JsonValue& accessor_index, std::initializer_
     numbers.data = bytes.data() + offset;
   } else {
     if (numbers.count > kMaxBytes / element) count.fail("must be one that fits into a GiB");
-    numbers.made = std::make_shared<const std::string>(element, '\0');  // all are 0 (glTF 2.0, 5.1.1)
+    numbers.made = std::make_shared<const std::string>(element, '\0');  // all 0 (glTF 2.0, 5.1.1)
     numbers.data = numbers.made->data();
     numbers.stride = 0;
   }

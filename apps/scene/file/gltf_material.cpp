@@ -14,10 +14,10 @@ namespace litfog::scene {
 namespace {
 
 constexpr float kMaxShininess = 1000;
-constexpr double kBlendCutoff = 0.5;  // from which blended materials cast shadows
+constexpr double kBlendCutoff = 0.5;  // least alpha at which blended materials cast shadows
 
-/// Exporters that convert between colour spaces write 1.00016. A quarter of a step of 8 bits in sRGB more than 1 shows
-/// on no display.
+/// Exporters that convert between colour spaces write 1.00016. No display shows an excess of a quarter of an 8-bit step
+/// in sRGB.
 constexpr double kMaxReflectance = 1 + 1.0 / 510;
 
 /// A colour of `size` numbers.
@@ -30,7 +30,7 @@ std::vector<double> color_of(const JsonValue& value, std::size_t size) {
   return color;
 }
 
-/// The base colour's factor with its alpha, which is not in the texels.
+/// The base colour's factor with its alpha; the texels lack that alpha.
 glm::dvec4 base_factor_of(const JsonValue& pbr) {
   const auto factor = pbr.optional("baseColorFactor");
   return factor ? glm::make_vec4(color_of(*factor, 4).data()) : glm::dvec4(1);
@@ -79,7 +79,7 @@ std::optional<float> least_coverage_of(const JsonValue& material, const JsonValu
   const double cutoff = is_blended(material) ? kBlendCutoff : material.number_or("alphaCutoff", 0.5);
   if (!(cutoff >= 0)) material.member("alphaCutoff").fail("must be >= 0");
   if (cutoff == 0) return std::nullopt;
-  return float(cutoff / base_factor_of(pbr).a);  // an alpha of 0 leaves no surface
+  return float(cutoff / base_factor_of(pbr).a);  // alpha 0 leaves no surface
 }
 
 /// Material::opacity.
@@ -161,7 +161,7 @@ Material GltfMaterials::make_lit(const std::string& name, const JsonValue& given
   const glm::vec3 reflected = glm::mix(glm::vec3(0.04f), base.linear_mean() * factor, metallic);
   const float alpha = std::max(roughness * roughness, 1e-3f);
   const float shininess = std::clamp(2 / (alpha * alpha) - 2, 1.0f, kMaxShininess);
-  // Metal has no diffuse colour. Where its texture has coordinates of its own, its mean counts.
+  // Metal has no diffuse colour. If the metal texture has its own coordinates, its mean counts.
   Metal metal{.factor = factor_of(pbr, "metallicFactor")};
   const bool is_by_texel = rough_texture && metal.factor > 0 &&
                            scene::coordinates_of(*rough_texture) ==
@@ -198,7 +198,7 @@ GltfMaterials::SharedTexels GltfMaterials::tinted(const JsonValue& material, con
   const auto height = std::size_t(size.height);
   made_.take(material, width * height);
   Texels texels{size.width, size.height, std::vector<std::uint8_t>(4 * width * height), size.sampling};
-  const auto texel_of = [&](const Texels& of, std::size_t x, std::size_t y) {  // nearest, where their sizes differ
+  const auto texel_of = [&](const Texels& of, std::size_t x, std::size_t y) {  // nearest, if sizes differ
     return &of.rgba[4 *
                     (y * std::size_t(of.height) / height * std::size_t(of.width) + x * std::size_t(of.width) / width)];
   };

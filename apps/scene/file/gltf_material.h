@@ -18,32 +18,32 @@
 
 namespace litfog::scene {
 
-/// A material of a glTF file that is used.
+/// A used material of a glTF file.
 struct GltfMaterial {
   std::string name;
   bool is_double_sided;
   std::set<std::size_t> sets;  ///< sets of texture coordinates that its textures use
-  GltfCoordinates base;        ///< base texture's or, without one, another's
-  GltfCoordinates normal;      ///< normal map's or, without one, the base's
-  GltfCoordinates emission;    ///< emission texture's or, without one, the base's
+  GltfCoordinates base;        ///< the base texture's or, without one, another's
+  GltfCoordinates normal;      ///< the normal map's or, without one, the base's
+  GltfCoordinates emission;    ///< the emission texture's or, without one, the base's
 };
 
-/// Converts the materials of a glTF file that are used to the demo's; read_gltf_scene documents how.
+/// Converts the used materials of a glTF file as read_gltf_scene documents.
 class GltfMaterials {
  public:
-  /// file  has to outlive this
+  /// file  must outlive this object
   explicit GltfMaterials(const GltfFile& file);
 
-  /// A primitive's material, which is made when first used.
+  /// A primitive's material, converted on first use.
   ///
   /// throws  InputError
   const GltfMaterial& use(const JsonValue& primitive);
 
-  /// The materials made.
+  /// The converted materials.
   std::vector<Material> take() { return std::move(materials_); }
 
   std::size_t occluded() const { return occluded_; }  ///< number of materials with an occlusion texture
-  /// The extensions that they have, known or not: files do not always list them in "extensionsUsed".
+  /// The extensions of the materials, known or not: files do not always list them in "extensionsUsed".
   const std::set<std::string>& extensions() const { return extensions_; }
 
  private:
@@ -51,25 +51,25 @@ class GltfMaterials {
 
   Material make_lit(const std::string& name, const JsonValue& given, const JsonValue& pbr);
   Material make_unlit(const std::string& name, const JsonValue& given, const JsonValue& pbr);
-  /// The texels of a base texture or what stands for it.
+  /// The texels of a base texture or of its replacement.
   SharedTexels base_texels(const JsonValue& material, const std::optional<JsonValue>& texture, bool is_masked);
-  /// What is metal, texel by texel: a factor times the blue of a picture. Null: nothing.
+  /// The metallic value per texel: a factor times the blue of a picture. Null: none.
   struct Metal {
     SharedTexels texels = nullptr;
     float factor;
   };
-  /// A picture whose colours are multiplied by a factor and by what is not metal.
+  /// A picture whose colours are multiplied by a factor and by 1 - metallic.
   SharedTexels tinted(const JsonValue& material, const SharedTexels& picture, const glm::vec3& factor,
                       const Metal& metal);
 
-  JsonValue empty_;  // an object: glTF's default material, and a material's default model
+  JsonValue empty_;  // an empty object: glTF's default material, and a material's default model
   std::vector<JsonValue> given_;
-  std::vector<std::optional<GltfMaterial>> used_;  // one a given material, then the default
+  std::vector<std::optional<GltfMaterial>> used_;  // one per material of the file, then the default
   std::vector<Material> materials_;
   GltfPictures pictures_;
   GltfPicture white_;
   SharedTexels flat_;  // a normal map
-  // Pictures derived from the file's, shared where they are the same.
+  // Pictures derived from the file's, shared if equal.
   std::map<std::tuple<const Texels*, const Texels*, std::array<float, 4>>, SharedTexels> tinted_;
   TexelBudget made_;
   std::size_t occluded_ = 0;

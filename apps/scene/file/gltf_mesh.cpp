@@ -22,7 +22,7 @@ namespace {
 constexpr std::size_t kTriangles = 4;
 constexpr std::size_t kTriangleFan = 6;
 
-/// Three indices a triangle (glTF 2.0, 3.7.2.1), of those given or of the vertices in their order.
+/// Reads three indices per triangle (glTF 2.0, 3.7.2.1) from the given ones, or else from the vertices in their order.
 void read_indices(const JsonValue& primitive, const GltfNumbers& given, std::size_t count, std::size_t mode,
                   Mesh& mesh) {
   const auto add = [&](std::size_t i) {
@@ -43,8 +43,7 @@ void read_indices(const JsonValue& primitive, const GltfNumbers& given, std::siz
   }
 }
 
-/// Three vertices of its own for each triangle, with its normal (glTF 2.0, 3.7.2.1: flat normals where none are
-/// given).
+/// Gives each triangle three vertices of its own, with its normal (glTF 2.0, 3.7.2.1: flat normals if none are given).
 void flatten(Mesh& mesh) {
   std::vector<Vertex> vertices;
   std::vector<VertexDetail> details;
@@ -70,7 +69,7 @@ bool is_within_limits(const glm::vec<N, float>& v) {
   return true;
 }
 
-/// What a primitive gives of its vertices, and its indices; no data of what it lacks.
+/// A primitive's vertex attributes and indices; data are null if it lacks them.
 struct Attributes {
   GltfNumbers positions, normals, tangents, base_uvs, normal_uvs, emission_uvs, colors, indices;
   std::optional<GltfPosing> posing;  // always
@@ -155,7 +154,7 @@ void give_tangents(Mesh& mesh) {
   swap_uvs();
   compute_tangents(mesh);
   swap_uvs();
-  // There v grows along the bitangent; glTF's v runs down a picture whose normals have +Y up.
+  // compute_tangents() takes v along the bitangent; glTF's v runs down a picture whose normals have +Y up.
   for (Vertex& vertex : mesh.vertices) vertex.tangent.w = -vertex.tangent.w;
 }
 

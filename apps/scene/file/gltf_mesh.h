@@ -25,11 +25,11 @@ class MeshBudget {
 /// Whether a primitive is of points or lines, which have no surface.
 bool is_without_surface(const JsonValue& primitive);
 
-/// Reads a primitive's triangles in their pose: normals made unit, flat ones where none are given; tangents computed
-/// where they are not; the backs of faces, too, if its material is double-sided; details where it has colours or its
-/// pictures differ in their coordinates.
+/// Reads a primitive's triangles in their pose: normals made unit, flat if not given; tangents computed if not given;
+/// the backs of faces, too, if its material is double-sided; details if it has colours or its pictures differ in their
+/// coordinates.
 ///
-/// pose    with a skin, the mesh is in the world
+/// pose    with a skin, the mesh is in world space
 /// budget  counts the mesh before its memory is allocated
 /// throws  InputError
 Mesh read_gltf_primitive(const GltfFile& file, const JsonValue& primitive, const GltfMaterial& material,

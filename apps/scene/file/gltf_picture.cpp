@@ -20,11 +20,11 @@ namespace litfog::scene {
 namespace {
 
 constexpr std::size_t kMaxTexels = std::size_t{1} << 27;
-constexpr std::size_t kMaxEncodedBytes = std::size_t{256} << 20;  // a picture's file
+constexpr std::size_t kMaxEncodedBytes = std::size_t{256} << 20;  // per picture file
 constexpr int kMaxPictureSide = 16'384;
 constexpr double kMaxTransform = 1e6;
 
-/// The mean RGB, each level replaced by its value in a table.
+/// The mean RGB, with each level looked up in a table.
 glm::vec3 mean_of(const Texels& texels, const std::array<float, 256>& value_of_level) {
   glm::dvec3 sum(0.0);
   for (std::size_t i = 0; i < texels.rgba.size(); i += 4) {
@@ -187,7 +187,7 @@ GltfPicture GltfPictures::decode(const JsonValue& image, std::string_view bytes,
   const std::size_t count = pixels.values.size() / pixels.channels;
   Texels texels{pixels.width, pixels.height, std::vector<std::uint8_t>(count * 4, 255), sampling};
   for (std::size_t i = 0; i < count; ++i) {
-    for (std::size_t channel = 0; channel < 3; ++channel) {  // a grey picture has one for all three
+    for (std::size_t channel = 0; channel < 3; ++channel) {  // a grey picture has one channel for all three
       texels.rgba[4 * i + channel] = pixels.values[i * pixels.channels + (pixels.channels < 3 ? 0 : channel)];
     }
   }
@@ -215,7 +215,7 @@ image::Levels GltfPictures::decode_png_or_jpeg(const JsonValue& image, std::stri
   }
 }
 
-/// Not by OpenImageIO, which multiplies WebP's colours by alpha whatever it is asked for (2.4).
+/// Without OpenImageIO, which always multiplies WebP's colours by alpha (2.4).
 image::Levels GltfPictures::decode_webp(const JsonValue& image, std::string_view bytes) {
   const auto* const data = reinterpret_cast<const std::uint8_t*>(bytes.data());
   WebPBitstreamFeatures features;

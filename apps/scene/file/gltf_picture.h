@@ -17,7 +17,7 @@ namespace litfog::scene {
 /// Counts the texels of pictures up to 2^27, which take 512 MiB.
 class TexelBudget {
  public:
-  /// owner   what the picture is of
+  /// owner   the value that uses the picture
   /// throws  InputError at the owner of the picture that exceeds the limit
   void take(const JsonValue& owner, std::size_t texels);
 
@@ -28,20 +28,20 @@ class TexelBudget {
 /// A decoded picture. Its texels are shared by all materials that use them unchanged; their A is 255.
 class GltfPicture {
  public:
-  /// alpha  of each texel; empty: 255
+  /// alpha  one per texel; empty: 255
   explicit GltfPicture(Texels texels, std::vector<std::uint8_t> alpha = {})
       : texels_(std::make_shared<const Texels>(std::move(texels))), alpha_(std::move(alpha)) {}
 
-  /// This picture, sampled in another way.
+  /// This picture with another sampling.
   GltfPicture sampled(const Sampling& sampling) const;
 
   const std::shared_ptr<const Texels>& texels() const { return texels_; }
-  /// The texels with the picture's alpha as A; counted when first asked for.
+  /// The texels with the picture's alpha as A, counted on first use.
   ///
-  /// owner   what uses the picture, for the error's location
+  /// owner   the value that uses the picture, for the error's location
   /// throws  InputError
   const std::shared_ptr<const Texels>& covering_texels(const JsonValue& owner, TexelBudget& budget);
-  /// The mean of the texels' RGB as stored, in [0, 1], and of the linear colours that they are in sRGB.
+  /// The mean of the texels' RGB as stored, in [0, 1], and after conversion from sRGB to linear.
   glm::vec3 mean();
   glm::vec3 linear_mean();
 
@@ -53,10 +53,10 @@ class GltfPicture {
   std::optional<glm::vec3> linear_mean_;
 };
 
-/// The linear value, in [0, 1], of a level in sRGB.
+/// The linear value, in [0, 1], of an sRGB level.
 float linear_value(std::uint8_t srgb_level);
 
-/// Which texture coordinates a textureInfo takes: those of a set, transformed (KHR_texture_transform).
+/// The texture coordinates of a textureInfo: a set, transformed (KHR_texture_transform).
 struct GltfCoordinates {
   std::size_t set = 0;
   glm::mat3x2 transform{1};  ///< applied to (u, v, 1)
@@ -67,19 +67,19 @@ struct GltfCoordinates {
 /// throws  InputError
 GltfCoordinates coordinates_of(const JsonValue& texture_info);
 
-/// The pictures of a glTF file's textures, PNG, JPEG and WebP, each decoded when it is first used, and once.
+/// The pictures of a glTF file's textures, PNG, JPEG and WebP, each decoded once, on first use.
 class GltfPictures {
  public:
-  /// file  has to outlive this
+  /// file  must outlive this object
   explicit GltfPictures(const GltfFile& file);
 
-  /// The picture of a textureInfo, such as a material's "baseColorTexture". It stays where it is.
+  /// The picture of a textureInfo, such as a material's "baseColorTexture". The reference stays valid.
   ///
   /// throws  InputError
   GltfPicture& use(const JsonValue& texture_info);
 
  private:
-  /// Its index.
+  /// The index of a texture's image.
   std::size_t image_of(const JsonValue& texture) const;
   GltfPicture read(const JsonValue& image, const Sampling& sampling);
   GltfPicture decode(const JsonValue& image, std::string_view bytes, const Sampling& sampling);
@@ -93,7 +93,7 @@ class GltfPictures {
   std::vector<JsonValue> textures_;
   std::vector<JsonValue> images_;
   std::vector<JsonValue> samplers_;
-  std::map<std::size_t, std::map<Sampling, GltfPicture>> pictures_;  // by their image
+  std::map<std::size_t, std::map<Sampling, GltfPicture>> pictures_;  // by image
   TexelBudget budget_;
 };
 

@@ -13,25 +13,25 @@
 
 namespace litfog::scene {
 
-/// How a node's mesh stands at rest: displaced by its morph targets, then moved by the joints of its skin.
+/// The rest pose of a node's mesh: displaced by its morph targets, then moved by the joints of its skin.
 struct GltfPose {
-  std::vector<double> weights;              ///< one a morph target; missing ones are 0
-  std::vector<glm::dmat4> world_from_mesh;  ///< by each joint; empty: no skin, and vertices stay in the mesh's space
+  std::vector<double> weights;              ///< one per morph target; missing ones are 0
+  std::vector<glm::dmat4> world_from_mesh;  ///< one per joint; empty: no skin, and vertices stay in mesh space
 };
 
 /// The pose's data of one primitive (glTF 2.0, 3.7.2.2 and 3.7.3).
 class GltfPosing {
  public:
-  /// A vertex attribute's numbers by its name, data null if it is not given.
+  /// A vertex attribute's numbers by its name; data are null if it is not given.
   using Attribute = std::function<GltfNumbers(const std::string& name, std::initializer_list<GltfType> types,
                                               std::initializer_list<GltfComponent> components)>;
 
-  /// pose    has to outlive this
+  /// pose    must outlive this object
   /// throws  InputError
   GltfPosing(const GltfFile& file, const JsonValue& primitive, const GltfPose& pose, const Attribute& attribute,
              std::size_t vertex_count);
 
-  /// Moves a vertex whose normal and tangent are as given, not yet of unit length.
+  /// Moves a vertex. Its normal and tangent are as in the file, not yet of unit length.
   ///
   /// throws  InputError for a joint that the skin lacks
   void apply(std::size_t index, Vertex& vertex) const;
@@ -43,7 +43,7 @@ class GltfPosing {
     GltfNumbers normals;
     GltfNumbers tangents;
   };
-  struct Influences {  // by four joints on each vertex
+  struct Influences {  // of four joints on each vertex
     GltfNumbers joints;
     GltfNumbers weights;
   };

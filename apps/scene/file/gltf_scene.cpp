@@ -34,9 +34,9 @@ namespace {
 constexpr double kSourceRadius = 0.05;    // metres: the format states none
 constexpr double kMaxCandela = 1e10;      // ten times the brightest searchlights
 constexpr double kLeast = 1.0 / 512;      // half of 1/256 of the display's white
-constexpr double kMinTilt = 1e-3;         // radians from the vertical, which floats tell from it
-constexpr double kMinRoll = 0.026;        // radians, 1.5 degrees: less is not told
-constexpr double kBrightestSun = 65'504;  // times the display's white: half floats of a framebuffer end there
+constexpr double kMinTilt = 1e-3;         // radians from the vertical; floats resolve it
+constexpr double kMinRoll = 0.026;        // radians, 1.5 degrees; less is not reported
+constexpr double kBrightestSun = 65'504;  // times the display's white; the largest half float
 constexpr std::string_view kPunctual = "KHR_lights_punctual";
 constexpr std::string_view kBasisu = "KHR_texture_basisu";
 constexpr std::string_view kKnownExtensions[] = {"EXT_mesh_gpu_instancing",
@@ -55,7 +55,7 @@ constexpr glm::vec3 kLamplessSun{0.6f};
 constexpr glm::vec3 kNightFog{0.012f, 0.013f, 0.017f};
 constexpr glm::vec3 kZenith{0.0012f, 0.0018f, 0.005f};
 
-/// A positive number rounded up to two significant digits, the double nearest to them.
+/// A positive number rounded up to two significant digits.
 double with_two_digits(double value) {
   const double exponent = std::floor(std::log10(value)) - 1;
   const double step = std::pow(10.0, std::abs(exponent));
@@ -78,7 +78,7 @@ class GltfReader {
     if (const auto punctual = extension_of(file_.root(), kPunctual)) lights_ = items_of(*punctual, "lights");
     read_name(path);
     scene_.description = "a glTF file";
-    scene_.display.exposure.reset();  // its light is from a candle's to the sun's
+    scene_.display.exposure.reset();  // because light ranges from a candle's to the sun's
     scene_.environment = {.ambient_light = kNightAmbient, .sky_zenith = kZenith, .sky_horizon = kNightFog};
     note_files(path);
     read_nodes();
@@ -102,9 +102,9 @@ class GltfReader {
   }
 
  private:
-  /// Lights fog and sky by the directional light, beside the night. Isotropic fog without end scatters E / 4 pi of E lx
-  /// into the eye, single scattering, and so does the horizon; the zenith keeps the night's ratio to it. Surfaces see
-  /// the mean of both.
+  /// Adds the directional light to the night's fog and sky. Endless isotropic fog scatters E / 4 pi of E lx into the
+  /// eye (single scattering), and so does the horizon; the zenith keeps the night's ratio to it. Surfaces get the mean
+  /// of both.
   void light_fog_and_sky() {
     Environment& environment = scene_.environment;
     const glm::vec3 scattered = environment.moon_color / 4.0f;
@@ -115,8 +115,8 @@ class GltfReader {
     environment.ambient_light += (scattered + zenith) / 2.0f;
   }
 
-  /// Lights the surfaces of a file without lights from over the viewer's shoulder, so that their shapes show and
-  /// metals, which reflect no ambient light, are not black.
+  /// Lights a file without lights from over the viewer's shoulder, so that shapes show and metals, which reflect no
+  /// ambient light, are not black.
   void light_from_viewer() {
     const CameraAxes axes = axes_of(scene_.camera);
     Environment& environment = scene_.environment;
@@ -206,7 +206,7 @@ class GltfReader {
     return transform;
   }
 
-  /// A node's turn without its scale: one of 0 hides meshes, but leaves a light or a camera, which it does not scale.
+  /// A node's rotation without its scale: a scale of 0 hides meshes, but not lights and cameras.
   static glm::dmat3 local_turn(const JsonValue& node) {
     const auto matrix = node.optional("matrix");
     if (!matrix) {
@@ -238,7 +238,7 @@ class GltfReader {
     std::vector<Visit> visits;
     const auto add = [&](const std::vector<JsonValue>& nodes, const glm::dmat4& transform, const glm::dmat3& turn,
                          bool carried) {
-      for (std::size_t i = nodes.size(); i-- > 0;) {  // so that the first comes off the stack first
+      for (std::size_t i = nodes.size(); i-- > 0;) {  // so that the first is popped first
         visits.push_back({index_in(nodes_, nodes[i]), transform, turn, carried});
       }
     };
@@ -246,7 +246,7 @@ class GltfReader {
     if (scenes.empty()) file_.root().fail("must hold a scene");
     const auto chosen = file_.root().optional("scene");
     add(items_of(scenes[chosen ? index_in(scenes, *chosen) : 0], "nodes"), glm::dmat4(1.0), glm::dmat3(1.0), false);
-    std::vector<std::size_t> with_mesh;  // read when all nodes are known, which may be joints of their skins
+    std::vector<std::size_t> with_mesh;  // read when all nodes are known, because nodes may be joints of their skins
     while (!visits.empty()) {
       Visit visit = visits.back();
       visits.pop_back();
@@ -284,7 +284,7 @@ class GltfReader {
     if (!(std::abs(glm::determinant(axes)) > 0)) index.fail("must not be at a node without axes");
     glm::dvec3 forward = -glm::normalize(axes[2]);
     const glm::dvec3 up = glm::normalize(axes[1]);
-    // One that looks straight up or down has no upright but its own: 0.06 degrees of tilt keep it.
+    // A camera that looks straight up or down needs its own up direction: 0.06 degrees of tilt keep it.
     if (std::hypot(forward.x, forward.z) < kMinTilt) {
       forward = glm::normalize(forward - std::copysign(kMinTilt, forward.y) * up);
     }
@@ -296,7 +296,7 @@ class GltfReader {
     return true;
   }
 
-  /// Around all that is drawn.
+  /// The bounds of all that is drawn.
   struct WorldBox {
     glm::dvec3 low{std::numeric_limits<double>::max()};
     glm::dvec3 high{std::numeric_limits<double>::lowest()};
@@ -312,8 +312,8 @@ class GltfReader {
     return box;
   }
 
-  /// Puts the target as far ahead as the scene's middle, for what moves the camera around it; at least so far that
-  /// floats keep the camera's heading.
+  /// Puts the target as far ahead as the scene's centre, about which users move the camera; far enough for floats to
+  /// keep the camera's heading.
   void aim_at(const WorldBox& box) {
     const glm::dvec3& position = scene_.camera.position;
     const glm::dvec3 middle = (box.low + box.high) * 0.5;
@@ -323,7 +323,7 @@ class GltfReader {
     scene_.camera.target = position + *forward_ * distance;
   }
 
-  /// Shows the whole scene from its front, from somewhat above.
+  /// Shows the whole scene from its front, slightly from above.
   void look_at(const WorldBox& box) {
     const glm::dvec3 middle = (box.low + box.high) * 0.5;
     const double radius = glm::distance(box.high, middle);
@@ -402,8 +402,8 @@ class GltfReader {
     const double outer = snapped(spot.number_or("outerConeAngle", std::numbers::pi / 4), 0, std::numbers::pi / 2);
     if (!(outer <= std::numbers::pi / 2)) spot.member("outerConeAngle").fail("must be at most pi/2");
     const double inner = spot.number_or("innerConeAngle", 0);
-    // Exporters write a hard edge as inner = outer. As in the extension's own formula, cosines are 0.001 apart at
-    // least.
+    // Exporters write a hard edge as inner = outer. As in the extension's own formula, cosines differ by at least
+    // 0.001.
     const double hardest = std::acos(std::min(std::cos(outer) + 0.001, 1.0));
     return Cone::smoothstep(inner <= outer ? std::min(inner, hardest) : inner, outer);
   }
@@ -423,7 +423,7 @@ class GltfReader {
     Mesh mesh;
   };
 
-  /// How a node's mesh stands. All empty where it stands as the file has it.
+  /// The pose of a node's mesh; empty if it has neither weights nor skin.
   GltfPose pose_of(const JsonValue& node, const JsonValue& mesh) const {
     GltfPose pose;
     const auto own = node.optional("weights");
@@ -457,7 +457,7 @@ class GltfReader {
     const std::size_t mesh = index_in(meshes_, node.member("mesh"));
     GltfPose pose = pose_of(node, meshes_[mesh]);
     const bool is_skinned = !pose.world_from_mesh.empty();
-    // A skinned mesh is where its joints are (glTF 2.0, 3.7.3.3): near an origin of its own, for its vertices' floats.
+    // A skinned mesh is where its joints are (glTF 2.0, 3.7.3.3): its vertices' floats need an origin near there.
     const glm::dvec3 origin = is_skinned ? local_origin(pose.world_from_mesh.front()[3]) : glm::dvec3(0);
     for (glm::dmat4& world_from_mesh : pose.world_from_mesh) world_from_mesh[3] -= glm::dvec4(origin, 0);
     std::vector<Primitive> posed;
@@ -515,7 +515,7 @@ class GltfReader {
     }
   }
 
-  /// The model of all that is drawn near an origin, from which floats measure its vertices.
+  /// The model of all that is drawn near an origin, the origin of its vertices.
   Model& model_at(const glm::dvec3& origin) {
     const auto [entry, is_new] = models_.try_emplace({origin.x, origin.y, origin.z}, scene_.models.size());
     if (is_new) {
@@ -554,8 +554,8 @@ class GltfReader {
   std::vector<JsonValue> meshes_;
   std::vector<JsonValue> skins_;
   std::vector<std::optional<glm::dmat4>> world_from_node_;  // nodes visited so far
-  std::vector<std::vector<Primitive>> primitives_;          // one a mesh, as the file has it, read when first drawn
-  std::vector<bool> is_read_;                               // one a mesh
+  std::vector<std::vector<Primitive>> primitives_;          // one per mesh, as in the file, read when first drawn
+  std::vector<bool> is_read_;                               // one per mesh
   std::map<std::array<double, 3>, std::size_t> models_;     // indices in the scene, by origin
   GltfMaterials materials_;
   Scene scene_;

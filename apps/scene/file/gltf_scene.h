@@ -7,7 +7,7 @@
 
 namespace litfog::scene {
 
-/// Whether a path ends as glTF files do: .gltf or .glb, in letters of either case.
+/// Whether a path ends in .gltf or .glb, in letters of either case.
 bool is_gltf_path(const std::string& path);
 
 /// Reads a glTF 2.0 file with its buffers and pictures: the meshes, materials and lights of its scene (the default one,

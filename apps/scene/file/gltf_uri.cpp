@@ -15,9 +15,9 @@
 namespace litfog::scene {
 namespace {
 
-constexpr std::uint8_t kNone = 64;  // value of a character that is no digit of base64
+constexpr std::uint8_t kNone = 64;  // marks a character that is not a digit of base64
 
-/// A path from a URI, in which %20 stands for a blank.
+/// Decodes a URI's path: %20 becomes a blank.
 std::string percent_decoded(std::string_view text) {
   std::string decoded;
   for (std::size_t i = 0; i < text.size(); ++i) {
@@ -31,8 +31,8 @@ std::string percent_decoded(std::string_view text) {
   return decoded;
 }
 
-/// noun       what the owner is, for the error's sentence
-/// read_file  of a path
+/// noun       the owner's kind, for the error's sentence
+/// read_file  reads the file of a path
 template <typename ReadFile>
 std::string read_uri(const JsonValue& owner, std::string_view noun, const ReadFile& read_file) {
   const auto path = gltf_uri_path(owner);
@@ -65,7 +65,7 @@ std::optional<std::string> decode_base64(std::string_view text) {
   if (text.size() % 4 == 0) {
     for (int padding = 0; padding < 2 && text.ends_with('='); ++padding) text.remove_suffix(1);
   }
-  if (text.size() % 4 == 1) return std::nullopt;  // six bits are no byte
+  if (text.size() % 4 == 1) return std::nullopt;  // six bits make no byte
   std::string bytes;
   bytes.reserve(text.size() / 4 * 3 + 2);
   std::uint32_t bits = 0;

@@ -12,7 +12,7 @@ namespace litfog::scene {
 
 using files::JsonValue;
 
-// Values of glTF's JSON. Each function throws InputError at the value that is wrong.
+// Values of glTF's JSON. Each function throws InputError at the wrong value.
 
 /// A whole number that an int holds, as indices, counts and offsets are.
 std::size_t whole_number(const JsonValue& value);
@@ -21,7 +21,7 @@ std::size_t whole_number_or(const JsonValue& object, std::string_view name, std:
 /// An array of `count` numbers.
 std::vector<double> numbers(const JsonValue& value, std::size_t count);
 
-/// The items of an array that need not be given.
+/// The items of an optional array.
 std::vector<JsonValue> items_of(const JsonValue& object, std::string_view name);
 
 /// An index into a file's array.

@@ -42,7 +42,7 @@ using files::JsonValue;
 
 constexpr std::size_t kMaxCopies = 20'000;  // copies of one object or light
 constexpr std::size_t kMaxInstances = 50'000;
-constexpr std::size_t kMaxCookies = 32;                         // OpenGL 3.3 promises 256 layers, six a cookie
+constexpr std::size_t kMaxCookies = 32;                         // OpenGL 3.3 promises 256 layers, six per cookie
 constexpr std::size_t kMaxCookieTexels = std::size_t{1} << 28;  // 1 GiB of floats
 constexpr double kMaxDensityScale = 1e6;
 
@@ -56,14 +56,14 @@ bool is_color(const glm::dvec3& color) {
 }
 const std::string kColorRule = fmt::format("must be a colour of numbers in [0, {}]", kMaxColor);
 
-// Hence a light that is read here is valid (find_error(PlacedLight)).
+// So a light that is read here is valid (find_error(PlacedLight)).
 static_assert(kMaxCoordinate <= kMaxPosition);
 bool is_position(const glm::dvec3& position) {
   return glm::all(glm::lessThanEqual(glm::abs(position), glm::dvec3(kMaxCoordinate)));
 }
 const std::string kPositionRule = fmt::format("must have coordinates in [{}, {}]", -kMaxCoordinate, kMaxCoordinate);
 
-/// One path for a file, however its path is spelled.
+/// The same path for a file however it is spelled.
 std::filesystem::path canonical_path(const std::filesystem::path& path) {
   std::error_code error;
   const auto found = std::filesystem::weakly_canonical(path, error);
@@ -77,7 +77,7 @@ glm::dvec3 position_of(const JsonValue& value) {
   return position;
 }
 
-/// Fails where a light file states what the renderer's floats cannot hold.
+/// Fails if a light file states a number beyond the renderer's floats.
 const Light& checked(const JsonValue& value, const Light& light) {
   if (!is_color(light.color)) value.fail(value.path() + ".color", "", kColorRule);
   if (!is_within(light.density_scale, 0, kMaxDensityScale)) {
@@ -118,7 +118,7 @@ std::size_t count_in(const JsonValue& value, std::size_t most) {
   return std::size_t(count);
 }
 
-/// The positions of an object's copies: its own alone without "repeat".
+/// The positions of an object's copies; only its own without "repeat".
 std::vector<glm::dvec3> read_repeat(const JsonValue& object, const glm::dvec3& position) {
   std::vector<glm::dvec3> positions{position};
   const auto repeats = object.optional("repeat");
@@ -170,7 +170,7 @@ double angle_or(const JsonValue& object, std::string_view name, double most_deg)
   return glm::radians(number_in_or(object, name, -most_deg, most_deg, 0));
 }
 
-/// What carries mounted lights.
+/// The vehicle that carries mounted lights.
 struct Vehicle {
   glm::dvec3 position{0.0};
   Attitude attitude;
@@ -232,7 +232,7 @@ Vehicle read_vehicle(const JsonValue& value) {
                        .roll = angle_or(value, "roll_deg", 180)}};
 }
 
-/// Text that does not begin like JSON is a word that stands for a string.
+/// Parses a change's value. Text that does not begin like JSON stands for a string.
 JsonValue changed_value(const SceneChange& change) {
   const std::string& value = change.value;
   const bool is_json = value.empty() || value.find_first_of("{[\"-0123456789") == 0 || value == "true" ||
@@ -321,13 +321,13 @@ class SceneReader {
     }
   }
 
-  /// The file that a string names, by the scene's folder.
+  /// The path of a file that is named relative to the scene's folder.
   std::string file_of(const JsonValue& name) const {
     if (name.string().size() > PATH_MAX) name.fail(fmt::format("must be a file's name of at most {} bytes", PATH_MAX));
     return (folder_ / name.string()).string();
   }
 
-  /// What `read` makes of the light file that a string names.
+  /// The result of `read` for the light file that a string names.
   template <typename Read>
   auto from_light_file(const JsonValue& name, const Read& read) {
     scene_.files.push_back(file_of(name));
@@ -338,7 +338,7 @@ class SceneReader {
     }
   }
 
-  /// The document of a light file for a change of its members; nothing of a string that names no light file.
+  /// The document of a light file for a change of its members; nothing if the string names no light file.
   std::optional<JsonValue> linked_light(const JsonValue& link) {
     const std::string name(link.name());
     const bool is_light = (link.path().starts_with("lights[") && name == "light") || link.path() == "city." + name;
@@ -459,7 +459,7 @@ class SceneReader {
         source.fail(std::string("must be a cookie: ") + error.what());
       }
       const auto largest = std::size_t(std::ranges::max(scene_.cookies, {}, &Cookie::size).size);
-      if (scene_.cookies.size() * 6 * largest * largest > kMaxCookieTexels) {  // a renderer makes them of one size
+      if (scene_.cookies.size() * 6 * largest * largest > kMaxCookieTexels) {  // a renderer scales them to one size
         source.fail(fmt::format("must leave the scene's cookies, all as large as the largest, at most {} texels",
                                 kMaxCookieTexels));
       }
@@ -494,8 +494,8 @@ class SceneReader {
       low = number_in(ends[0], 0.001, 1000);
       high = number_in(ends[1], low, 1000);
     }
-    // Not HashRandom: another sequence would move what the scenes have scattered. The standard states this engine's
-    // numbers, so that they are the same with every library; those of its distributions are not.
+    // Not HashRandom: another sequence would move objects in existing scenes. The standard fixes this engine's numbers,
+    // but not those of the distributions.
     std::minstd_rand random(unsigned(number_in_or(value, "seed", 1, 1e9, 1)));
     const auto between = [&](double from, double to) {
       return from + (to - from) * (double(random()) / double(std::minstd_rand::max()));
@@ -534,14 +534,14 @@ class SceneReader {
       try {
         scene_.models.push_back(
             kept_or_made(&SceneParts::models, key, [&] { return make_model(name.string(), parameters); }));
-      } catch (const std::invalid_argument& error) {  // a rule across parameters
+      } catch (const std::invalid_argument& error) {  // a rule across parameters is broken
         name.fail("model", name.string(), error.what());
       }
     }
     return entry->second;
   }
 
-  /// A part that is kept from an earlier reading, else one that is made.
+  /// A part kept from an earlier reading, or else a new one.
   template <typename Key, typename Part, typename Make>
   Part kept_or_made(std::map<Key, Part> SceneParts::*parts, const Key& key, const Make& make) {
     if (!kept_) return make();
@@ -577,11 +577,11 @@ class SceneReader {
 
   std::filesystem::path folder_;
   SceneParts* kept_;
-  SceneParts used_;  // to be kept in their place
+  SceneParts used_;  // replaces the kept parts
   Scene scene_;
   std::optional<Vehicle> vehicle_;
   std::map<std::string, Light> lights_;
-  std::map<std::pair<bool, std::string>, std::size_t> cookies_;  // by whether they are patterns, and name
+  std::map<std::pair<bool, std::string>, std::size_t> cookies_;  // by name and whether they are patterns
   std::map<std::string, std::size_t> models_;
   std::size_t triangles_ = 0;
   std::size_t carried_ = 0;
@@ -597,7 +597,7 @@ void change_lights(Scene& scene, const std::vector<SceneChange>& changes) {
     }
     const std::size_t begin = change.member.find('[') + 1;
     const auto index = command::parse_integer(change.member.substr(begin, change.member.find(']') - begin));
-    if (index && *index >= 0) changed.insert(std::size_t(*index));  // else with_value() tells
+    if (index && *index >= 0) changed.insert(std::size_t(*index));  // else with_value() throws
   }
   if (changes.empty()) return;
   std::string entries;
@@ -626,7 +626,7 @@ std::filesystem::path scene_folder() { return command::bundled_folder("scenes");
 }  // namespace
 
 std::string changed_member(const std::string& member) {
-  constexpr std::size_t kLongest = 200;  // longer than any member's path, which errors quote
+  constexpr std::size_t kLongest = 200;  // longer than any member's path; errors quote it
   if (member.size() > kLongest) {
     throw InputError({.file = kChangePlace}, files::quoted_excerpt(member), "",
                      "must be a member such as lights[0].position");

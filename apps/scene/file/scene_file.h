@@ -97,7 +97,7 @@ struct SceneChange {
   std::string value;   ///< JSON, or a word that stands for a string: ../lights/street-lamp.json
 };
 
-/// The location that errors in a change name.
+/// The location in errors of a change.
 inline constexpr const char* kChangePlace = "--set";
 
 /// The member of the file that a change means: an entry's own, or its light's, which then comes after ".light". Throws
@@ -113,24 +113,24 @@ struct SceneParts {
   std::map<std::string, Scene> gltf_scenes = {};                ///< by path, without changes
 };
 
-/// Reads a scene file, or a glTF file (gltf_scene.h) by its ending; what is left out of that is said in one line on
-/// standard error. Throws InputError, of which the file is kChangePlace where a change is wrong.
+/// Reads a scene file, or by its ending a glTF file (gltf_scene.h), and reports what is left out of that in one line on
+/// standard error. Throws InputError, with the file kChangePlace if a change is wrong.
 ///
-/// city_lights  number of lights in its city, replacing the file's number; without effect where the scene has no city
-/// changes      in the order given; of a glTF file only those of its lights' attenuation, threshold, cone, colour and
+/// city_lights  replaces the number of lights in the scene's city; no effect without a city
+/// changes      in the order given; for a glTF file only of its lights' attenuation, threshold, cone, colour and
 ///              density scale
-/// kept         parts of an earlier reading, copied where the scene has them, then replaced by this one's; null: none
+/// kept         parts of an earlier reading, copied if the scene has them, then replaced by this one's; null: none
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights = {},
                  const std::vector<SceneChange>& changes = {}, SceneParts* kept = nullptr);
 
-/// Reads scenes whose pictures go into one folder. Throws InputError, also where two scenes, and so their pictures,
-/// would have one name.
+/// Reads scenes whose pictures go into one folder. Throws InputError, also if two scenes, and so their pictures, have
+/// the same name.
 std::vector<Scene> read_scenes(const std::vector<std::string>& paths);
 
-/// The scenes that come with litfog: names of files in data/scenes, sorted. Throws InputError where there are none.
+/// The bundled scenes: names of files in data/scenes, sorted. Throws InputError if there are none.
 std::vector<std::string> bundled_scenes();
 
-/// Path of a bundled scene's file, whether there is one of that name or not.
+/// Path of a bundled scene's file, which need not exist.
 std::string bundled_scene_path(const std::string& name);
 
 }  // namespace litfog::scene

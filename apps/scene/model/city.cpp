@@ -28,7 +28,7 @@ constexpr float kLampHeight = 8;
 constexpr float kLampArm = 1.8f;
 constexpr float kLampSpacing = 30;
 constexpr float kHouseDepth = 14;
-constexpr float kRunway = kEdge + 170;  // its middle's x
+constexpr float kRunway = kEdge + 170;  // x of its centre line
 constexpr float kRunwayLength = 1000;
 
 struct Lamp {
@@ -97,7 +97,7 @@ class CityBuilder {
     for (const auto& [parameter, value] : parameters) key += " " + parameter + "=" + std::to_string(value);
     return model(key, [&] { return make_model(name, parameters); });
   }
-  /// The model of a key, made where it is new.
+  /// The model of a key, made if new.
   template <typename Make>
   std::size_t model(const std::string& key, const Make& make) {
     const auto [entry, is_new] = models_.try_emplace(key, scene_.models.size());
@@ -119,7 +119,7 @@ class CityBuilder {
 
   void add_ground() {
     const auto add_plane = [&](const std::string& material, float low_x, float high_x, float half_z, float height) {
-      constexpr float kTile = 20;  // few lamps reach any of them
+      constexpr float kTile = 20;  // metres; few lamps reach each tile
       Mesh plane;
       for (float x = low_x; x < high_x; x += kTile) {
         for (float z = -half_z; z < half_z; z += kTile) {
@@ -238,7 +238,7 @@ class CityBuilder {
   const City& city_;
   HashRandom random_;
   std::map<std::string, std::size_t> models_;
-  std::map<std::string, std::vector<BrightPane>> panes_;  // by their house's key
+  std::map<std::string, std::vector<BrightPane>> panes_;  // by the house's key
   std::vector<Lamp> lamps_;
 };
 

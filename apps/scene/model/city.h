@@ -15,8 +15,8 @@ inline constexpr std::size_t kMaxCityLights = 100'000;
 /// A city at night, a square kilometre and a half around the origin: streets every 90 m along X and Z with lamps and
 /// cars, houses with shops and bright windows, and an airfield along -Z to the east of it.
 ///
-/// The houses, streets and cars are the same whatever the number of lights. Lights are the first of one list: lamps,
-/// shops, cars and the airfield from the origin outwards, some 3,700, then windows in the same order.
+/// Houses, streets and cars do not depend on the number of lights. Lights are the first ones of one list: lamps, shops,
+/// cars and the airfield from the origin outwards, some 3,700, then windows in the same order.
 struct City {
   std::size_t lights = 1000;  ///< [1, kMaxCityLights]
   std::uint32_t seed = 1;
@@ -45,7 +45,7 @@ inline constexpr std::array kCityLightKinds{CityLightKind{"street_lamp", &City::
 
 /// Adds a city's models, instances and lights, and their members of a scene file. Deterministic.
 ///
-/// throws  std::invalid_argument where it would have more lights than the city has lamps
+/// throws  std::invalid_argument for more lights than the city has lamps
 void add_city(Scene& scene, const City& city);
 
 }  // namespace litfog::scene

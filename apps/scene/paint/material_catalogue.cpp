@@ -25,7 +25,7 @@ struct Recipe {
 
 constexpr glm::vec3 kDark(0.0f);
 
-/// Sorted by name. All values are by eye: none is measured.
+/// Sorted by name. All values are chosen by eye.
 const Recipe kRecipes[] = {
     {"asphalt", paint_asphalt, 512, 4.0f, {0.11f, 0.11f, 0.113f}, glm::vec3(0.16f), 22.0f, kDark},
     {"bark", paint_bark, 256, 1.0f, {0.11f, 0.095f, 0.075f}, glm::vec3(0.04f), 10.0f, kDark},
@@ -73,7 +73,7 @@ const Recipe kRecipes[] = {
 
 constexpr std::size_t kRecipeCount = std::size(kRecipes);
 
-/// srgb_level_of by table, for many texels: 4096 steps stay within half a level of it everywhere but the first step.
+/// srgb_level_of by table, for many texels: 4096 steps stay within half a level except in the first step.
 std::uint8_t srgb(float linear) {
   static const std::array<std::uint8_t, 4097> kTable = [] {
     std::array<std::uint8_t, 4097> table{};

@@ -8,7 +8,7 @@
 
 namespace litfog::scene {
 
-/// What a painter fills in per texel: height (metres; the normals are computed from it), linear colour and gloss.
+/// The values that a painter sets per texel: height (metres; normals are computed from it), linear colour and gloss.
 struct Canvas {
   Canvas(int texels, float metres)
       : size(texels), size_m(metres), height(texels), gloss(texels, 1.0f), color(height.texels(), glm::vec3(1.0f)) {}

@@ -8,9 +8,9 @@
 namespace litfog::scene {
 
 std::vector<Material> make_materials(std::span<const std::string> names) {
-  std::vector<std::future<Material>> painted;  // without a thread to spare one is painted when asked for
+  std::vector<std::future<Material>> painted;  // without a free thread a material is painted by get()
   for (const std::string& name : names) {
-    // An lvalue, which is copied: libstdc++ would move it into the thread that does not start.
+    // An lvalue, which is copied: libstdc++ would move it into a thread that does not start.
     const auto paint = [name] { return make_material(name); };
     painted.push_back(std::async(paint));
   }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Two of the pictures lie on each other; `state` says which, and what is seen of them. The address may hold a state:
-// index.html#a=0&b=2&mode=wipe&wipe=0.3&zoom=8&x=640&y=360
+// Two of the pictures lie on top of each other; `state` says which, and how they are shown. The address may hold a
+// state: index.html#a=0&b=2&mode=wipe&wipe=0.3&zoom=8&x=640&y=360
 const byId = (id) => document.getElementById(id);
 const stage = byId('stage'), layers = byId('layers');
 const state = {
@@ -22,7 +22,7 @@ const origin = () => {
   return [stage.clientWidth / 2 - centre[0] * scale(), stage.clientHeight / 2 - centre[1] * scale()];
 };
 
-// A place in the window as seen from the stage's corner, within its border.
+// A position in the window relative to the stage's corner, within its border.
 function within(clientX, clientY) {
   const box = stage.getBoundingClientRect();
   return [clientX - box.left - stage.clientLeft, clientY - box.top - stage.clientTop];
@@ -79,7 +79,7 @@ const flip = () => {
   show();
 };
 
-// Pictures as their channels' values; the page holds them itself, so that a browser lets it read them from a disk, too.
+// The pictures' channel values. The page embeds its pictures, so browsers let it read them from a disk, too.
 const texels = new Map();
 function valueAt(index, x, y) {
   if (!texels.has(index)) {

@@ -11,9 +11,9 @@ uniform sampler2DRect airlight;  // within the lights' extents
 
 out vec4 color;
 
-// The airlight of lights beyond their extents, up to the surfaces that the pixel's samples see.
+// The airlight beyond the lights' extents, up to the surfaces that the pixel's samples see.
 vec3 far_airlight_before(vec4 seen, float rise) {
-  const float most_equal = 1.02;  // ranges that share a look-up
+  const float most_equal = 1.02;  // largest ratio of ranges that share a look-up
   int ranges = 4;
   if (seen.w <= most_equal * seen.x) {
     ranges = 1;

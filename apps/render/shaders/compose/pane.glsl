@@ -12,8 +12,7 @@ uniform int airlight_count;              // 0 where the scene is not lit by airl
 #include "airlight/far_airlight_at.glsl"
 #include "airlight/shaft.glsl"
 
-// The airlight before the fragment. The airlight of the picture without panes is added later, times what panes let
-// through.
+// The airlight before the fragment. The airlight behind it is added later, times the transmittance of the panes.
 vec3 airlight_before(vec3 position) {
   float range = distance(position, eye);
   vec3 direction = (position - eye) / max(range, 1.0e-6);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Brushed metals (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", chapter 5, exercise 7) by Wolfgang
 // Heidrich and Hans-Peter Seidel 1998, "Efficient Rendering of Anisotropic Surfaces Using Computer Graphics Hardware":
-// a groove along the tangent has every normal that is perpendicular to it, and the one that sends most light to the eye
-// counts. Other materials keep the Basic model.
+// a groove along the tangent has every normal perpendicular to it; the one that sends most light to the eye counts.
+// Other materials keep the Basic model.
 
 #include "depth_test.glsl"
 #include "cookie.glsl"
@@ -18,7 +18,7 @@ vec3 brushed(LitfogSurface surface, vec3 to_light, vec3 color) {
   float vt = dot(surface.to_eye, t);
   float nl = sqrt(max(1.0 - lt * lt, 0.0));
   float vr = nl * sqrt(max(1.0 - vt * vt, 0.0)) - lt * vt;
-  // The grooves' normal is not the surface's, which shadows light that falls from below it.
+  // The grooves' normal is not the surface's; the surface shadows light from below.
   return color * dot(surface.normal, to_light) *
          (surface.diffuse * nl + surface.specular * pow(max(vr, 0.0), surface.shininess));
 }

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Examples 5-3 to 5-10 of Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", for each fragment (path/cg.glsl).
 //
-// Where this leaves them: the examples light in object space, exercise 3 in eye space, this in world space. No pixel
-// would differ, because rotations and translations keep dot products and distances; apps/papers has the programs in
-// either space, at the vertices. Ka is Kd, the texture, but for a material with a Ka of its own.
+// Differences: the examples light in object space, exercise 3 in eye space, this in world space. All give the same
+// pixels, because rotations and translations keep dot products and distances; apps/papers has the programs in either
+// space, at the vertices. Ka is Kd, the texture, unless the material has its own Ka.
 
 #include "depth_test.glsl"
 #include "path/cg.glsl"

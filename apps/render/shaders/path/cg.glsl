@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // The lighting of Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", chapter 5, as its examples 5-5 to 5-10
-// print it, for vertices or fragments, in any space: attenuation is neither clamped to 1 nor cut at an extent, and a
-// spotlight's edge is hard (5-8), or between its two cones linear (the text's lerp) or smooth (5-9). The other paths
+// print it, for vertices or fragments, in any space. Attenuation is neither clamped to 1 nor cut at an extent. A
+// spotlight's edge is hard (5-8), or linear (the text's lerp) or smooth (5-9) between its two cones. The other paths
 // clamp and cut (litfog/shaders/surface.glsl), so that no light is brighter than its colour and each ends somewhere.
 
 #include "cookie.glsl"
 #include "litfog/shaders/light.glsl"
 #include "scene.glsl"
 
-// The specular colour of a light: its diffuse one, which a program may change.
+// The specular colour of a light: its diffuse colour, unless a program redefines it.
 #ifndef specular_color
 #define specular_color(diffuse_color) (diffuse_color)
 #endif

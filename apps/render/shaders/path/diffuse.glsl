@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The diffuse term of a light at a vertex (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", section 5.2): the
-// light that arrives times N.L.
+// The diffuse term of a light at a vertex (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", section 5.2):
+// incident light times N.L.
 
 #include "cookie.glsl"
 #include "litfog/shaders/light.glsl"

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Jason Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a New Generation of Games", equations (1)
 // to (4) as printed, in the loop of listing 2.1, with the normal of listing 2.2. The attenuation is neither clamped to
-// 1 nor cut at an extent. N . -L is not clamped to 0: a light behind a surface takes away what the lights before it
-// give. unified.frag clamps and cuts.
+// 1 nor cut at an extent. N . -L is not clamped to 0: a light behind a surface takes light away. unified.frag clamps
+// and cuts.
 //
-// Where this leaves it: the listing's 1/dist is equation (3) for A0 = A2 = 0; here A0, A1 and A2 are the light's own C,
+// Differences: the listing's 1/dist is equation (3) for A0 = A2 = 0; here A0, A1 and A2 are the light's own C,
 // L and Q. The listing has point lights only ("other kinds of lights ... left to the reader") and no texture; here
 // spots have their cones, the base texture reflects the lights, ambient light and a directional light are added, and
 // Hales's fog lies before the surface. The sum is clamped to 0, as a framebuffer of eight bits does.

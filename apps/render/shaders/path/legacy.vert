@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The column "legacy" of Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs", table 1: a card's fixed
-// pipeline, of which he prints no formula. Here that is OpenGL's: ambient and diffuse light at the vertices, one
-// texture, fog of one colour. He does not say whether his had lamps; this one has them.
+// pipeline. He prints no formula for it. Here it is OpenGL's: ambient and diffuse light at the vertices, one texture,
+// fog of one colour. He does not say whether his had lamps; this one has them.
 
 #include "path/diffuse.glsl"
 #include "listed_lights.glsl"

@@ -4,7 +4,7 @@
 // = a y, r = a z ("Embedding Angle Attenuation in a Texture Map"), by azimuth, elevation, heading, pitch and roll
 // (scene/light_frame.h); the shading value of the directional light ("Directional Light Source"); up to four lights
 // ("Multiple Light Sources"). Ronald Frazier 2000, "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL" has the
-// same mappings, with -z for the light's direction. Where this leaves them: k P + 0.5 follows at the fragments.
+// same mappings, with -z for the light's direction. Difference: k P + 0.5 is computed at the fragments.
 
 #include "light_batch.glsl"
 #include "scene.glsl"

@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
-// Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs". The lines of its sections:
+// Steven Hales 2004, "Realtime Pixel Lighting Using Fragment Programs". By section:
 //
 // "Fragment Program Lighting Equations": (sum of range attenuation * angle attenuation * (ambient light colour + (I .
 // N) * diffuse light colour) + directional ambient + directional diffuse * (d . n)) * face fragment colour * face
 // texture 1 * face texture 2 (if any). Here I is the direction from the fragment to the light. His own I, "the
-// direction of the light", is the spot's axis: by it a headlight that is level would not light the road at all. A
-// light's ambient colour is a fraction of its diffuse one. base_texture() is the product of the face's colour and
-// textures.
+// direction of the light", is the spot's axis: with it a level headlight would not light the road at all. A light's
+// ambient colour is a fraction of its diffuse colour. base_texture() is the product of the face's colour and textures.
 //
 // "Lighting in Fog": fragment fog colour = light colour * angle attenuation * fog colour intensity + ambient fog
-// colour. The angle attenuation is the same look-up as the surface's. The fog before the sky, which here is no polygon,
-// takes it from the formula (sky.frag).
+// colour. The angle attenuation is the same look-up as the surface's. The sky, which here is no polygon, takes it from
+// the formula (sky.frag).
 //
-// Left out: clamping to 1 before the screen, which his sample program has (sample.frag). Added: further passes for more
-// than four lights or for lights of other maps, each with the fog of its own lights; the surface's emission.
+// Left out: clamping to 1 before the screen, which his sample program has (sample.frag). Added: more passes for more
+// than four lights or for lights with other maps, each with the fog of its own lights; the surface's emission.
 
 #include "path/light_coordinates.glsl"
 #include "path/map_coordinate.glsl"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Range attenuation from two 2-D maps: s and t give q, then q and r give the attenuation (Steven Hales 2004, "Realtime
 // Pixel Lighting Using Fragment Programs", section "Embedding Range Attenuation in a Texture Map", the method for cards
-// that are short of memory). With the cube map these are three of a card's four texture units, so that a face has one
-// texture left; this path draws its second texture all the same.
+// that are short of memory). With the cube map these take three of a card's four texture units, which leaves one
+// texture for a face. This path draws the second texture, too.
 
 #include "depth_test.glsl"
 #include "path/lookup.glsl"

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial", chapter 5, exercise 6: "Compute the emissive, ambient, and
 // diffuse contributions in the vertex program. Also, compute the half-angle and normal vectors in the vertex program".
-// Where this leaves it: emissive and ambient light are added at the fragments, which have the texture; a light's
-// attenuation and cone are interpolated beside its half-angle vector. The interpolated values hold those of a few
-// lights only, so further lights add their highlights in further passes.
+// Differences: emissive and ambient light are added at the fragments, which have the texture; a light's
+// attenuation and cone are interpolated beside its half-angle vector. There are interpolated values for a few lights
+// only, so more lights add their highlights in more passes.
 
 #include "path/diffuse.glsl"
 #include "listed_lights.glsl"

@@ -2,9 +2,9 @@
 // Normal maps in object space: "also possible and ... generally used to light dynamic objects" (Jason Lacroix 2005,
 // "Let There Be Light!: A Unified Lighting Technique for a New Generation of Games", section "Per-pixel normal map
 // based lighting"; he prints no line of it). The map's normal turns with its model. No tangent space is interpolated
-// between vertices, so there is no seam where vertices share a normal but not a tangent (his note on listing 2.3). In
-// return each model needs a map of its own: none can tile, or be shared by surfaces that face different ways, as the
-// catalogue's are. The lighting is that of unified.frag.
+// between vertices, so there is no seam where vertices share a normal but not a tangent (his note on listing 2.3). But
+// each model needs a map of its own: it cannot tile, nor be shared by surfaces that face different ways, like the
+// catalogue's. The lighting is that of unified.frag.
 
 #include "depth_test.glsl"
 #include "world_normal.glsl"

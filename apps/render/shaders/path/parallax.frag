@@ -3,11 +3,11 @@
 // of Games", names beside normal maps: "encodes an additional height map value into the normal texture in order to
 // simulate the parallax effect". He prints no line of it. This is Terry Welsh 2004, "Parallax Mapping with Offset
 // Limiting: A Per-Pixel Approximation of Uneven Surfaces", T_n = T_o + h V_xy, with V the unit vector to the eye in
-// tangent space. (Before him it was h V_xy / V_z, which grows without limit at grazing views.) The lighting is that of
+// tangent space. (Before him it was h V_xy / V_z, which is unbounded at grazing views.) The lighting is that of
 // unified.frag.
 //
-// Heights are true to scale and the surface stands half-way between the lowest and the highest. What this cannot show:
-// parts that hide each other, their shadows, and an uneven outline.
+// Heights are true to scale, and the surface is half-way between the lowest and the highest. Parallax mapping shows no
+// occlusion, shadows or uneven outline.
 
 #include "depth_test.glsl"
 #define texture_uv shifted_uv

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Rotates a vector as a plane of that unit normal is rotated to be parallel to z = 0 (Ronald Frazier 2000, "Real-Time
-// Per-Pixel Point Lights and Spot Lights in OpenGL", prepareLightForPlane).
+// Rotates a vector by the rotation that makes a plane with a unit normal parallel to z = 0 (Ronald Frazier 2000,
+// "Real-Time Per-Pixel Point Lights and Spot Lights in OpenGL", prepareLightForPlane).
 vec3 rotate_plane(vec3 v, vec3 normal) {
   const vec3 forward = vec3(0.0, 0.0, -1.0);
   vec3 axis = cross(normal, forward);

@@ -4,10 +4,9 @@
 // the light's extent. "Filtering a Point Light into a Spot Light": times the cube map. The surface's orientation is
 // ignored.
 //
-// Where this leaves it: the map holds each light's own cone, unless it is to be his one map for every angle
-// (ConeMaps::one_disc); a cone of 90 degrees or more has no scale. Texture coordinates are made at the fragment
-// (light_coordinates.glsl). Nothing is clamped to 1 before the screen. The fog is Hales's, the directional light is
-// added.
+// Differences: the map holds each light's own cone, unless ConeMaps::one_disc asks for his one map for every angle; a
+// cone of 90 degrees or more has no scale. Texture coordinates are computed at the fragment (light_coordinates.glsl).
+// Nothing is clamped to 1 before the screen. Hales's fog and the directional light are added.
 
 #include "path/light_coordinates.glsl"
 #include "path/map_coordinate.glsl"

@@ -5,8 +5,8 @@
 // color 0), times colour and texture1). He leaves open whether two point lights fit into one pass on the texture unit
 // that this frees. They do, even on his card: each light's z^2 goes into the alpha of its constant color, a general
 // combiner for each light adds that to its texture, and the final combiner computes (1 - spare 0) * constant color 0 +
-// (1 - spare 1) * constant color 1, the second product as its E * F. Here a pass has up to four lights, of which each
-// may be a spot. Where this leaves it: as radial.glsl.
+// (1 - spare 1) * constant color 1, the second product as its E * F. Here a pass has up to four lights, each of which
+// may be a spot. Differences: as in radial.glsl.
 
 #include "depth_test.glsl"
 #include "fragment.glsl"
@@ -25,7 +25,7 @@ flat in float square_distance[batch_size];
 in vec3 cone_coordinates[batch_size];
 
 void main() {
-  vec3 back = drawn_back();  // if the fragment is clamped to its surface's bounds, its coordinates follow
+  vec3 back = drawn_back();  // clamps the coordinates to the surface's bounds, too
   vec2 back_in_plane = rotate_plane(back, plane_normal).xy;
   vec3 light = vec3(0.0);
   for (int i = 0; i < lights_in_pass; ++i) {

@@ -15,7 +15,7 @@ uniform mat3 cone_from_world[batch_size];
 out float directional_shade;
 out vec2 range_coordinates[batch_size];
 flat out vec3 plane_normal;
-flat out float square_distance[batch_size];  // of the plane, in squares of R
+flat out float square_distance[batch_size];  // from light to plane, in units of R^2
 out vec3 cone_coordinates[batch_size];
 
 void main() {

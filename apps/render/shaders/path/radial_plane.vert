@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// The corners of a triangle, whose plane radial_plane.geom needs before it writes the fragments' position.
+// The corners of a triangle. radial_plane.geom needs its plane before it writes the fragments' position.
 
 #define rasterised_position corner_position
 #define uv corner_uv

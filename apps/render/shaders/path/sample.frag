@@ -4,17 +4,17 @@
 // value can be used for both", the light's colour as its ambient colour, saturating arithmetic; with the section
 // "Lighting in Fog", as for his figure 2.
 //
-// As printed, the texture coordinates are declared as tc_t1 and tc_t2, but used as tc_t0 and tc_t1. What stands for its
-// registers here: tc_f, which he has as one number, has the environment's colours; icol is the vertices' colour, which
+// As printed, the texture coordinates are declared as tc_t1 and tc_t2, but used as tc_t0 and tc_t1. Registers here:
+// tc_f, which he has as one number, holds the environment's colours; icol is the vertices' colour, which
 // first_texture() includes; a surface without a second texture has a white one. (Two face textures and the cube map
-// leave one of a card's four texture units, which is why the program takes its range from the 3-D map.) The fog is that
-// of the scene, not always exp2.
+// leave one of a card's four texture units, so the program takes its range from the 3-D map.) The fog is the scene's,
+// not always exp2.
 //
 // "The polygons within the extent of the light (and within the cone angle) can be sorted from those outside": for table
 // 1 `litfog-demo papers` draws the program over all polygons, and over a scene sorted by render::sort_polygons.
 //
-// Lights that are neither two nor alike are drawn in further passes, as in lookup.glsl. Two lights that are not close
-// together, which no printed line forbids, are both lit by the range of the first.
+// Other lights than two alike are drawn in more passes, as in lookup.glsl. Two lights that are not close together,
+// which no printed line forbids, both take the range of the first.
 
 #include "depth_test.glsl"
 #include "path/light_coordinates.glsl"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Jason Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a New Generation of Games", listing 1.2,
-// PixelShader.psh: the map's normal as it is, and the loop that adds up the lights. Where this leaves it: each light
-// has the Basic model's terms, clamped to 0, its own attenuation instead of 1/dist, and a cone (lit_surface.glsl); the
-// normal is normalised.
+// PixelShader.psh: the map's normal as it is, and the loop that adds up the lights. Differences: each light has the
+// Basic model's terms, clamped to 0, its own attenuation instead of 1/dist, and a cone (lit_surface.glsl); the normal
+// is normalised.
 
 #include "depth_test.glsl"
 #include "lit_surface.glsl"

@@ -2,13 +2,13 @@
 // Jason Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a New Generation of Games", listing 1.2,
 // VertexShader.vsh: its transforms, its binormal, and its loop "lighting information conversion" over five lights.
 //
-// Where this leaves it: the listing multiplies the lights' positions by the tangent matrix, in the direction from
+// Differences: the listing multiplies the lights' positions by the tangent matrix, in the direction from
 // tangent space into the world (world_normal.glsl says why), and compares them with the position in the world. That is
-// right only where both spaces are the same. Here the vectors to the lights and the eye are carried into tangent space.
-// His binormal is that of w = -1. His lights are points, of one register each; a spot's axis takes a second. "Light
-// count restrictions" counts them for the ten interpolated registers of a GeForce 6800, two of them taken: eight
-// directional lights, seven points, four spots. OpenGL 3.3 promises fifteen vectors, and five spots take fourteen with
-// the rest. Further lights are added in further passes.
+// right only where both spaces are the same. Here the vectors to the lights and the eye are transformed into tangent
+// space. His binormal is that of w = -1. His lights are points, of one register each; a spot's axis takes a second.
+// "Light count restrictions" counts them for the ten interpolated registers of a GeForce 6800, two of them taken: eight
+// directional lights, seven points, four spots. OpenGL 3.3 promises fifteen vectors; five spots and the rest take
+// fourteen. More lights are added in more passes.
 
 #include "light_batch.glsl"
 #include "scene.glsl"

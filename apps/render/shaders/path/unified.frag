@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Jason Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a New Generation of Games", section
 // "Unified per-pixel lighting solution": listing 2.1, the loop over the lights in world space, and listing 2.3, the
-// normal map's normal carried into the world (world_normal.glsl). interpolated.frag has listing 2.2.
+// normal map's normal in world space (world_normal.glsl). interpolated.frag has listing 2.2.
 //
-// Where this leaves it: each light has the Basic model's terms (litfog/shaders/surface.glsl), clamped to 0, its own
+// Differences: each light has the Basic model's terms (litfog/shaders/surface.glsl), clamped to 0, its own
 // attenuation instead of 1/dist, and a cone; Hales's fog lies before the surface. His constant registers, 224, were the
 // limit of his lights; here it is kMaxUniformLights (shader_variant.h), and more are read from a buffer.
 //
 // A shader is compiled for its number of lights, and the loop over a light list ends with the list; nested.frag has his
 // nested ifs instead (listings 3.1 and 3.2). object_space.frag has normal maps in object space, parallax.frag parallax
-// mapping, lacroix.frag his equations without clamp and end. "Early rejection is key": on llvmpipe a pass of depths pays
-// with many lights and one sample a pixel alone, sorting from front to back hardly ever (EarlyRejection;
-// docs/performance.md), so that surfaces stay sorted by material.
+// mapping, lacroix.frag his equations without clamp and end. "Early rejection is key": on llvmpipe a depth pass pays
+// only with many lights and one sample a pixel, sorting from front to back hardly ever (EarlyRejection;
+// docs/performance.md). So surfaces stay sorted by material.
 
 #include "depth_test.glsl"
 #include "lit_surface.glsl"

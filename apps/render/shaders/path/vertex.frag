@@ -9,7 +9,7 @@
 in vec3 diffuse_light;
 in vec3 specular_light;
 
-// Ambient and diffuse light of a base colour.
+// Ambient and diffuse light reflected by a base colour.
 vec3 reflected(vec3 base) {
 #ifdef MATERIAL_AMBIENT
   return ambient_reflectance(base) * ambient_light + base * vertex_light(diffuse_light);

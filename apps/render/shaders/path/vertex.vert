@@ -2,13 +2,13 @@
 // The Basic model at the vertices, any number of lights: Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
 // examples 5-4 (C5E4v_twoLights: the loop, the sums of diffuse and specular light) and 5-10 (C5E10_spotAttenLighting);
 // Jason Lacroix 2005, "Let There Be Light!: A Unified Lighting Technique for a New Generation of Games", listing 1.1
-// (the loop over the lights, in world space). Light is interpolated between vertices, so a spot of light within a
-// triangle is missed.
+// (the loop over the lights, in world space). Light is interpolated between vertices, so a spot of light inside a
+// triangle is lost.
 //
-// Where this leaves them: attenuation is clamped to 1 and ends at the extent (cg.frag has it as printed); N.L is
+// Differences: attenuation is clamped to 1 and ends at the extent (cg.frag has it as printed); N.L is
 // clamped to 0 (lacroix.frag has it as printed); lighting is in world space (cg.frag says why object and eye space look
-// the same); the material's colours follow at the fragments. Lacroix casts the world matrix to 3x3, which leaves out
-// its translation, and projects the vertex without that matrix: his objects stand unturned at the origin.
+// the same); the material's colours are applied at the fragments. Lacroix casts the world matrix to 3x3, which leaves
+// out its translation, and projects the vertex without that matrix: his objects stand unrotated at the origin.
 
 #include "cookie.glsl"
 #include "litfog/shaders/surface.glsl"

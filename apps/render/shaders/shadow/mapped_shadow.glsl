@@ -4,13 +4,13 @@
 // mean of the four texels around it (William Reeves, David Salesin and Robert Cook 1987, "Rendering Antialiased Shadows
 // with Depth Maps").
 //
-// A texel holds the distance to the surface at its own middle, which is up to a texel from the position compared.
-// There, the plane of the fragment's own triangle may be nearer to the light. By how much follows from the plane, so a
-// flat surface does not shade itself at any angle.
+// A texel holds the distance to the surface at its own centre, up to a texel from the position compared. There the
+// plane of the fragment's own triangle may be nearer to the light. The difference follows from the plane, so a flat
+// surface does not shadow itself at any angle.
 
 #include "shadow/shadow_caster.glsl"
 
-uniform int uniform_casters[uniform_light_count];  // one a uniform light
+uniform int uniform_casters[uniform_light_count];  // one per uniform light
 uniform int first_moon_map;                        // the directional light's casters, the finest first
 uniform int end_of_moon_maps;
 
@@ -19,14 +19,14 @@ const float raster_place = 0.02;  // texels by which a rasteriser may misplace a
 
 vec3 receiver_normal = cross(dFdx(rasterised_position), dFdy(rasterised_position));
 
-// How much a plane faces a map, but not so little that what is divided by it is not finite: a triangle seen edge on, or
-// none at all.
+// How much a plane faces a map, limited so that division by it is finite, even for a triangle seen edge-on or a
+// degenerate one.
 float limited(float facing, float most_facing) {
   float least = max(1.0e-4 * most_facing, 1.0e-30);
   return abs(facing) < least ? least : facing;
 }
 
-// slope  of the surface's distance over a texel, metres
+// slope  change of the surface's distance over a texel, metres
 float mean_of_taps(ShadowCaster caster, int map, vec2 place, float range, vec2 slope, float bias) {
   vec2 uv = 0.5 + 0.5 * place / caster.half_size;
   float step = 0.5 / float(textureSize(shadow_maps, 0).x);
@@ -46,7 +46,7 @@ float shadow_of(int caster_index) {
   vec3 position = fragment_position();
   vec3 from_lamp = caster.frame_from_world * (position - caster.position);
   float range = length(from_lamp);
-  if (range >= caster.reach) return 1.0;  // where there is no light
+  if (range >= caster.reach) return 1.0;  // no light there
   int map = map_towards(caster, from_lamp);
   vec3 place = map_from_frame(from_lamp, map);
   if (place.z <= 0.0) return 1.0;  // behind a beam
@@ -69,7 +69,7 @@ float lamp_shadow(int i) { return shadow_of(uniform_casters[first_light_in_pass 
 // Fraction of a light in the tables that reaches the fragment.
 float listed_lamp_shadow(int light) { return shadow_of(texelFetch(caster_of_light, light).x); }
 
-// Fraction of the directional light, by the finest map that shows the fragment. Along a parallel map a plane's slope is
+// Fraction of the directional light, by the finest map that shows the fragment. In a parallel map a plane's slope is
 // the same everywhere.
 float moon_shadow() {
   if (!has_moon) return 1.0;

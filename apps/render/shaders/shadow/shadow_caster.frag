@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// The distance from the lamp, in units of its reach: unlike a projected depth it is the same in all maps of a lamp, and
-// floats hold it as exactly far from the lamp as near it.
+// The distance from the lamp, in units of its reach. Unlike a projected depth it is the same in all maps of a lamp, and
+// as precise far from the lamp as near it.
 
 uniform float lamp_radius;  // metres, within which nothing casts a shadow
 uniform float reach;        // metres

@@ -27,8 +27,8 @@ ShadowCaster shadow_caster(int i) {
                       is_cube ? 1.0 : axis_half_size.w, up_reach.w, int(position_layer.w));
 }
 
-// Which map of a lamp has a direction, given in the lamp's frame.
+// The lamp's map that holds a direction in the lamp's frame.
 int map_towards(ShadowCaster caster, vec3 direction) { return caster.is_cube ? map_of_direction(direction) : 0; }
 
-// The size of a map's texel, as half_size is given.
+// The size of a map's texel, in the unit of half_size.
 float texel_size(ShadowCaster caster) { return 2.0 * caster.half_size / float(textureSize(shadow_maps, 0).x); }

@@ -5,7 +5,7 @@
 
 layout(location = 0) in vec3 vertex_position;
 layout(location = 3) in vec2 vertex_uv;
-layout(location = 4) in vec4 vertex_color;  // coverage 1 where a scene has none
+layout(location = 4) in vec4 vertex_color;  // coverage 1 if a scene has none
 
 uniform mat4 world_from_model;
 uniform mat4 frame_from_world;  // its rotation

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // The shadow maps of a lamp: ahead, right, left, up, down, behind (render::ShadowCaster).
 
-// From the lamp's frame, in which it looks along -z, into that of a map: x to its right, y up, z away from the lamp.
+// From the lamp's frame, in which it looks along -z, to a map's frame: x to its right, y up, z away from the lamp.
 vec3 map_from_frame(vec3 d, int map) {
   if (map == 0) return vec3(d.x, d.y, -d.z);
   if (map == 1) return vec3(d.z, d.y, d.x);
@@ -11,7 +11,7 @@ vec3 map_from_frame(vec3 d, int map) {
   return vec3(-d.x, d.y, d.z);
 }
 
-// Which map of a cube a direction meets.
+// The map of a cube that a direction meets.
 int map_of_direction(vec3 d) {
   vec3 a = abs(d);
   if (a.z >= a.x && a.z >= a.y) return d.z <= 0.0 ? 0 : 5;
