@@ -284,7 +284,7 @@ TEST_F(WindowCommand, ScenesAreOpenedAndReadAgainAndPanelsKeepTheirSizes) {
   click(100, 20);  // the list of scenes
   click(100, 48);  // the field in it for a path
   steer("type other.json");
-  steer("key Return");
+  steer("sleep 1 key Return");  // at once, slow frames would lose it
   EXPECT_TRUE(wait_for([this] {
     steer("key ctrl+c");
     return next_line().starts_with("litfog-demo other.json");
