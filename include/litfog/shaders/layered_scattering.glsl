@@ -212,6 +212,36 @@ LitfogScatteredLight litfog_scattered_light_in_layers(LitfogAirlight air, LITFOG
   return light;
 }
 
+// Optical depths behind which fog shows nothing, and those behind which a ray may end in place of there.
+LITFOG_CONSTANT LITFOG_REAL litfog_hidden_depth = LITFOG_REAL(12.0);
+LITFOG_CONSTANT LITFOG_REAL litfog_deepest_end = LITFOG_REAL(16.0);
+
+// How far the eye sees of the ray between two distances from it, metres: at most to the second.
+LITFOG_REAL litfog_end_of_sight(LitfogAirlight air, LITFOG_REAL first, LITFOG_REAL last) {
+  LITFOG_REAL before = LITFOG_REAL(0.0);
+  LITFOG_REAL behind = litfog_depth_of_stretch(air, first, last);
+  LITFOG_REAL seen = first;
+  LITFOG_REAL end = last;
+  for (int i = 0; i < 16 && behind > litfog_deepest_end; ++i) {
+    // False position and bisection in turn: the depth rises anyhow.
+    LITFOG_REAL part = LITFOG_REAL(0.5);
+    if (i % 2 == 0) {
+      LITFOG_REAL aim = LITFOG_REAL(0.5) * (litfog_hidden_depth + litfog_deepest_end);
+      part = clamp((aim - before) / (behind - before), LITFOG_REAL(0.01), LITFOG_REAL(0.99));
+    }
+    LITFOG_REAL middle = seen + part * (end - seen);
+    LITFOG_REAL depth = litfog_depth_of_stretch(air, first, middle);
+    if (depth < litfog_hidden_depth) {
+      seen = middle;
+      before = depth;
+    } else {
+      end = middle;
+      behind = depth;
+    }
+  }
+  return end;
+}
+
 // M of the ray between two distances from the eye, on which it is divided into stretches: the shorter the nearer they
 // are to the lamp. Where `beside` passes the lamp farther off than the ray, its light is subtracted.
 LITFOG_REAL litfog_scattered_between(LitfogAirlight air, LitfogAirlight beside, LitfogSlab slab, LITFOG_REAL first,
@@ -238,15 +268,19 @@ LITFOG_REAL litfog_scattered_between(LitfogAirlight air, LitfogAirlight beside, 
   return sum;
 }
 
-// M along a ray in layers, over the lamp's effective intensity.
+// M along a ray in layers, over the lamp's effective intensity. Where `beside` passes the lamp farther off than the ray,
+// its light is subtracted.
 //
+// stretches   into which the ray is divided between two knots
 // soft_range  of the lamp, metres
 // beam        index of the cone's ScatteredBeam; below 0 for a point lamp
-LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LITFOG_REAL soft_range, LITFOG_REAL beam,
-                                      LITFOG_REAL phase_cosine) {
+LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LitfogAirlight beside, int stretches, LITFOG_REAL soft_range,
+                                      LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
   LITFOG_REAL from = litfog_airlight_start_of_layers(air);
-  LITFOG_REAL last = min(min(air.ray_length, litfog_airlight_end_of_layers(air, LITFOG_REAL(12.0))),
+  LITFOG_REAL last = min(min(air.ray_length, litfog_airlight_end_of_layers(air, litfog_hidden_depth)),
                          litfog_longest_layered_ray);
+  if (!(last > from)) return LITFOG_REAL(0.0);
+  last = litfog_end_of_sight(air, from, last);
   LitfogSlab slab = litfog_slab(air);
   LITFOG_REAL eye_height = litfog_airlight_height(air, -air.approach);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
@@ -259,14 +293,16 @@ LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LITFOG_REAL soft_range
       to = min((height - eye_height) / air.rise, last);
     }
     if (!(to > from)) continue;
-    // Densities between knots are between theirs: an end that lies behind 12 optical depths is not seen.
-    LITFOG_REAL thinnest =
-        min(litfog_airlight_density(air, from - air.approach), litfog_airlight_density(air, to - air.approach));
-    LITFOG_REAL seen = min(to, from + LITFOG_REAL(12.0) / max(thinnest, LITFOG_REAL(1.0e-30)));
-    sum += litfog_scattered_between(air, air, slab, from, seen, 24, soft_range, beam, phase_cosine);
+    sum += litfog_scattered_between(air, beside, slab, from, to, stretches, soft_range, beam, phase_cosine);
     from = to;
   }
   return sum;
+}
+
+// The same of the ray alone.
+LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LITFOG_REAL soft_range, LITFOG_REAL beam,
+                                      LITFOG_REAL phase_cosine) {
+  return litfog_layered_scattering(air, air, 24, soft_range, beam, phase_cosine);
 }
 
 #undef LITFOG_REAL
