@@ -549,8 +549,8 @@ TEST_F(ReferencePictureTest, AllOrdersInLayersAreThoseOfTheReference) {
     const std::string measured = fmt::format("{}: largest {:6.3f}, mean {:6.3f}, {} excluded", scene.name, error.largest,
                                              error.mean, error.excluded);
     fmt::print("{}\n", measured);
-    EXPECT_LE(error.largest, 18) << measured;
-    EXPECT_LE(error.mean, 0.3) << measured;
+    EXPECT_LE(error.largest, 12) << measured;
+    EXPECT_LE(error.mean, 0.5) << measured;
     EXPECT_LE(error.excluded, 27u) << measured;
   }
 }
