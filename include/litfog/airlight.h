@@ -38,7 +38,7 @@ std::optional<ValueError> find_error(const EyeRay& ray);
 /// | any                | exp, exp2 | kAirlightMaxError in every ray                             | airlight_climb |
 /// | point              | exp       | kShapedAirlightMaxError instead, unless isotropic          | airlight_climb |
 /// | cone               | exp       | kShapedConeAirlightMaxError instead, unless isotropic      | airlight_climb |
-/// | point              | layers    | kShapedLayeredAirlightMaxError, unless isotropic           | airlight_climb |
+/// | point              | layers    | kShapedAirlightMaxError in every ray, unless isotropic     | airlight_climb |
 /// | any other          | layers    | kLayeredAirlightMaxError in every ray                      | airlight_climb |
 /// | point              | exp, exp2 | kAirlightTypicalError in 99 of 100 rays                    | airlight_test  |
 /// | cone               | exp, exp2 | kAirlightTypicalError in 99 of 100 rays above kDimAirlight | airlight_test  |
@@ -55,10 +55,9 @@ std::optional<ValueError> find_error(const EyeRay& ray);
 /// kDimAirlight is rounding at the cone's outermost edge. No 8-bit display shows it unless the lamp is over a million
 /// times as bright as white.
 inline constexpr double kAirlightMaxError = 1 / 255.;
-inline constexpr double kShapedAirlightMaxError = 6 / 255.;
+inline constexpr double kShapedAirlightMaxError = 0.1;
 inline constexpr double kShapedConeAirlightMaxError = 3 / 255.;
-inline constexpr double kLayeredAirlightMaxError = 3 / 255.;
-inline constexpr double kShapedLayeredAirlightMaxError = 0.1;
+inline constexpr double kLayeredAirlightMaxError = 5 / 255.;
 inline constexpr double kAirlightTypicalError = 0.01;
 inline constexpr double kPhotometricAirlightMaxError = 0.035;
 inline constexpr double kDimPhotometricAirlight = 1e-3;

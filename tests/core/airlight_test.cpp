@@ -667,7 +667,7 @@ TEST(Airlight, FastFormHasItsStatedErrorsInLayers) {
   for (const bool is_spot : {false, true}) {
     expect_small(find_errors(8000, kDimAirlight, [&] { return draw_layered_airlight_case(random, is_spot); }),
                  kAirlightTypicalError, std::string("in layers, ") + (is_spot ? "spots" : "points"),
-                 is_spot ? kLayeredAirlightMaxError : kShapedLayeredAirlightMaxError);
+                 is_spot ? kLayeredAirlightMaxError : kShapedAirlightMaxError);
   }
 }
 
@@ -692,7 +692,7 @@ TEST(Airlight, FastFormHasItsStatedErrorsForLampsInLayers) {
   for (const ConeProfileFacts& facts : kConeProfiles) {
     const bool is_point = facts.first == Cone{};
     for (const bool is_isotropic : {false, true}) {
-      const double bound = is_point && !is_isotropic ? kShapedLayeredAirlightMaxError : kLayeredAirlightMaxError;
+      const double bound = is_point && !is_isotropic ? kShapedAirlightMaxError : kLayeredAirlightMaxError;
       WorstError error("airlight", std::string(facts.name) + (is_isotropic ? " in isotropic layers" : " in layers"),
                        bound, "of the colour");
       for (int i = 0; i < 3000; ++i) {

@@ -158,7 +158,7 @@ void scatter_once(std::string_view bytes) {
     if (is_shaped) c.atmosphere.phase = draw_phase(random);
     draw_layers(random, c);
     if (runs_along_edge(c)) return;
-    expect_airlight(c, is_shaped && is_point ? kShapedLayeredAirlightMaxError : kLayeredAirlightMaxError);
+    expect_airlight(c, is_shaped && is_point ? kShapedAirlightMaxError : kLayeredAirlightMaxError);
   } else {
     expect_finite_airlight(random);
   }

@@ -203,7 +203,7 @@ TEST_F(AirlightShader, AirlightInLayersInFloatsHasItsStatedErrors) {
       while (cases.size() < kRays) cases.push_back(draw_layered_case(random, atmosphere, is_spot));
       const bool is_shaped = !is_isotropic(phase) && !is_spot;
       expect_stated_errors(cases, draw(program, cases), is_spot ? "spots in layers" : "points in layers",
-                           is_shaped ? kShapedLayeredAirlightMaxError : kLayeredAirlightMaxError);
+                           is_shaped ? kShapedAirlightMaxError : kLayeredAirlightMaxError);
     }
   }
 }

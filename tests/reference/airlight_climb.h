@@ -38,7 +38,7 @@ inline std::string to_string(const ClimbKind& kind) {
 /// The error that litfog/airlight.h states for every ray of a kind, of lamps that are no cookies.
 inline double stated_error(const ClimbKind& kind) {
   if (kind.is_layered) {
-    return kind.shape == LampShape::point && kind.is_directional ? kShapedLayeredAirlightMaxError : kLayeredAirlightMaxError;
+    return kind.shape == LampShape::point && kind.is_directional ? kShapedAirlightMaxError : kLayeredAirlightMaxError;
   }
   if (!kind.is_directional || kind.mode == FogMode::exp2 || kind.lamp_leg == LampLeg::clear) return kAirlightMaxError;
   return kind.shape == LampShape::point ? kShapedAirlightMaxError : kShapedConeAirlightMaxError;
