@@ -537,11 +537,15 @@ TEST_F(ReferencePictureTest, AllOrdersOfScatteringAreThoseOfTheReference) {
 // Lamps in ground fog seen from above it, and under a cloud.
 // The third is in the cloud, in which rays end or which they leave below.
 TEST_F(ReferencePictureTest, AllOrdersInLayersAreThoseOfTheReference) {
+  struct View {
+    Scene scene;
+    double mean;
+  };
   const auto scene_of = [](const char* name) { return read_scene(bundled_scene_path(name)); };
   Scene in_cloud = scene_of("breakout");
   in_cloud.camera.position = {0, 95, 1513};
   in_cloud.camera.target = {0, 86, 1113};
-  for (const Scene& scene : {scene_of("village"), scene_of("breakout"), in_cloud}) {
+  for (const auto& [scene, mean] : {View{scene_of("village"), 0.3}, {scene_of("breakout"), 0.3}, {in_cloud, 0.5}}) {
     RenderSettings settings = by_airlight();
     settings.scattering = Scattering::all;
     Renderer renderer(scene, 48, 27, settings);
@@ -550,7 +554,7 @@ TEST_F(ReferencePictureTest, AllOrdersInLayersAreThoseOfTheReference) {
                                              error.mean, error.excluded);
     fmt::print("{}\n", measured);
     EXPECT_LE(error.largest, 12) << measured;
-    EXPECT_LE(error.mean, 0.5) << measured;
+    EXPECT_LE(error.mean, mean) << measured;
     EXPECT_LE(error.excluded, 27u) << measured;
   }
 }

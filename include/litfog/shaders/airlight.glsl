@@ -18,8 +18,9 @@
 // 5 of them and a fifth, so that a bright piece short in t is not left to one.
 //
 // Where a phase function shapes the integrand in exp fog, q is 0 and a point lamp takes 8 nodes a side, bent towards the
-// closest approach where the ray passes inside the falloff; 12 where the ray meets the plateau or fog scatters back. In layers the ray is also cut at their knots, and each
-// piece of it into steps of some optical depths, from the end that the fog hides least to where it hides the rest.
+// closest approach where the ray passes inside the falloff. It takes 12 where the ray meets the plateau or fog scatters
+// back. In layers the ray is also cut at their knots, and each piece of it into steps of some optical depths, from the
+// end that the fog hides least to where it hides the rest.
 //
 // Errors and what they were measured on: litfog/airlight.h. In floats they hold for cones of at least 0.02 radians and
 // lamps within 4e5 fog scales, for a float has too few digits of the cosine of a narrower cone and of a longer range; the

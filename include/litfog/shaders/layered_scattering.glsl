@@ -212,18 +212,18 @@ LitfogScatteredLight litfog_scattered_light_in_layers(LitfogAirlight air, LITFOG
   return light;
 }
 
-// Optical depths behind which fog shows nothing, and those behind which a ray may end in place of there.
+// The eye sees nothing behind the first of these optical depths. A ray is cut off between the two.
 LITFOG_CONSTANT LITFOG_REAL litfog_hidden_depth = LITFOG_REAL(12.0);
 LITFOG_CONSTANT LITFOG_REAL litfog_deepest_end = LITFOG_REAL(16.0);
 
-// How far the eye sees of the ray between two distances from it, metres: at most to the second.
+// Where the fog cuts off the ray between two distances from the eye, metres: at `last`, or nearer.
 LITFOG_REAL litfog_end_of_sight(LitfogAirlight air, LITFOG_REAL first, LITFOG_REAL last) {
   LITFOG_REAL before = LITFOG_REAL(0.0);
   LITFOG_REAL behind = litfog_depth_of_stretch(air, first, last);
   LITFOG_REAL seen = first;
   LITFOG_REAL end = last;
   for (int i = 0; i < 16 && behind > litfog_deepest_end; ++i) {
-    // False position and bisection in turn: the depth rises anyhow.
+    // False position alternates with bisection, which also converges where the depth rises late.
     LITFOG_REAL part = LITFOG_REAL(0.5);
     if (i % 2 == 0) {
       LITFOG_REAL aim = LITFOG_REAL(0.5) * (litfog_hidden_depth + litfog_deepest_end);
@@ -299,7 +299,7 @@ LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LitfogAirlight beside,
   return sum;
 }
 
-// The same of the ray alone.
+// M along the ray with nothing subtracted.
 LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LITFOG_REAL soft_range, LITFOG_REAL beam,
                                       LITFOG_REAL phase_cosine) {
   return litfog_layered_scattering(air, air, 24, soft_range, beam, phase_cosine);
