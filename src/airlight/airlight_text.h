@@ -103,7 +103,7 @@ struct Text {
     air.axis_offset = glm::dot(offset, axis);
     air.axis_slope = glm::dot(direction, axis);
     air.layer_scale = layers.count > 0 ? Real(light.density_scale) : Real(0);
-    air.rise = direction.y;
+    air.rise = std::abs(direction.y) > Real(kLevelRise) ? direction.y : Real(0);
     air.height = Real(ray.origin.y) + approach * air.rise;
     air.lamp_height = Real(placed.position.y);
     return air;

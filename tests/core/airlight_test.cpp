@@ -671,6 +671,41 @@ TEST(Airlight, FastFormHasItsStatedErrorsInLayers) {
   }
 }
 
+TEST(Airlight, FastFormHasItsStatedErrorsForNearlyLevelRaysInLayers) {
+  Random random(101);
+  for (const bool is_spot : {false, true}) {
+    WorstError error("airlight", is_spot ? "spots, nearly level rays" : "points, nearly level rays",
+                     is_spot ? kLayeredAirlightMaxError : kShapedAirlightMaxError, "of the colour");
+    for (int i = 0; i < 3000; ++i) {
+      AirlightCase c = draw_layered_airlight_case(random, is_spot);
+      const glm::dvec3 to_light = c.light.position - c.ray.origin;
+      const double approach = glm::dot(to_light, c.ray.direction);
+      const double offset = glm::length(to_light - approach * c.ray.direction);
+      const double rise = (random.chance(0.5) ? 1 : -1) * random.log_uniform(1e-18, 1e-3);
+      c.ray.direction = glm::normalize(glm::dvec3(c.ray.direction.x, 0, c.ray.direction.z));
+      c.ray.direction = glm::normalize(c.ray.direction + glm::dvec3(0, rise, 0));
+      c.light.position =
+          c.ray.origin + approach * c.ray.direction + offset * draw_perpendicular(random, c.ray.direction);
+      if (random.chance(0.5)) c.ray.length = kInfinity;
+      const double expected = reference_of(c);
+      error.add(std::abs(airlight_of(c) - expected) / std::max(expected, 1.0), [&] { return to_string(c); });
+    }
+    error.check();
+  }
+}
+
+TEST(Airlight, LayerFarAwayShowsItsLampWholeUnlessTheRayIsLevel) {
+  AirlightCase c = looking({1, 0, 0}, Fog{FogMode::exp, 0}, LampLeg::clear, {0, -2000, -6000});
+  const std::array<DensityKnot, 2> knots{{{-3000, 50}, {-2700, 0}}};
+  c.atmosphere.profile = make_density_profile(std::span<const DensityKnot>(knots));
+  for (const double rise : {-1e-3, -1e-6, -1e-9, -2 * kLevelRise, -0.5 * kLevelRise, -1e-23}) {
+    c.ray.direction = glm::normalize(glm::dvec3(0, rise, -1));
+    const double expected = rise < -kLevelRise ? 1 : 0;
+    EXPECT_NEAR(airlight_of(c), expected, kLayeredAirlightMaxError) << rise;
+    EXPECT_NEAR(reference_of(c), expected, 1e-9) << rise;
+  }
+}
+
 /// A lamp in a layer or up to a tenth of its depth outside, seen from anywhere: fog all around it is up to 1000 times
 /// thinner, so that the lamp's leg through the layer is shortest far from the closest approach.
 AirlightCase draw_lamp_in_layer(Random& random, bool is_photometric, LampLeg leg) {

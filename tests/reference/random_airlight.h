@@ -43,7 +43,15 @@ inline std::string to_string(const AirlightCase& c) {
                 int(cone.profile), cone.half_angle, cone.exponent, cone.inner, cone.outer, approach,
                 glm::length(to_light - approach * c.ray.direction), glm::dot(c.light.direction, c.ray.direction),
                 glm::dot(c.light.direction, approach * c.ray.direction - to_light), c.ray.length);
-  return to_string(SolveCase{light.attenuation, c.atmosphere.fog, light.threshold}) + text;
+  std::string all = to_string(SolveCase{light.attenuation, c.atmosphere.fog, light.threshold}) + text;
+  for (const DensityKnot& knot : c.atmosphere.profile.used()) {
+    std::snprintf(text, sizeof text, "; %.17g at %.17g m", knot.density, knot.height);
+    all += text;
+  }
+  if (c.atmosphere.profile.count == 0) return all;
+  std::snprintf(text, sizeof text, "; heights of eye %.17g, lamp %.17g, rise %.17g", c.ray.origin.y,
+                c.light.position.y, c.ray.direction.y);
+  return all + text;
 }
 
 inline glm::dvec3 draw_perpendicular(Random& random, const glm::dvec3& direction) {
@@ -290,16 +298,14 @@ inline AirlightCase draw_coincident_airlight_case(Random& random, FogMode mode, 
   return c;
 }
 
-/// Whether a ray runs along the edge of a beam that is not dark there: it is lit or not by the last digit.
+/// Whether a ray runs through the lamp along the edge of a beam that is not dark there: it is lit or not by the last
+/// digit.
 inline bool runs_along_edge(const AirlightCase& c) {
   const Cone& cone = c.light.light.cone;
-  if (cone.profile != ConeProfile::cosine) return false;
-  const auto is_on_edge = [&](double along) {
-    const glm::dvec3 from_light = c.ray.origin + along * c.ray.direction - c.light.position;
-    return std::abs(glm::dot(from_light, c.light.direction) - std::cos(cone.half_angle) * glm::length(from_light)) <
-           1e-6 * along;
-  };
-  return is_on_edge(0.37) && is_on_edge(5.1);
+  const glm::dvec3 to_light = c.light.position - c.ray.origin;
+  const double offset = glm::length(to_light - glm::dot(to_light, c.ray.direction) * c.ray.direction);
+  const double slope = std::abs(glm::dot(c.light.direction, c.ray.direction));
+  return cone.profile == ConeProfile::cosine && offset < 1e-6 && std::abs(slope - std::cos(cone.half_angle)) < 1e-6;
 }
 
 }  // namespace litfog::test

@@ -875,7 +875,7 @@ LITFOG_REAL litfog_airlight_piece(LitfogAirlight air, LitfogAirlightShape shape,
     LITFOG_REAL part = aim;
     for (int i = 0;
          i < 6 && (passed > litfog_largest_step_depth || (i > 0 && passed < litfog_least_step_depth)); ++i) {
-      if (i > 0) part = pow(part, log(aim) / log(clamp(passed / hidden, LITFOG_REAL(1.0e-6), LITFOG_REAL(0.9))));
+      if (i > 0) part = pow(part, log(aim) / log(clamp(passed / hidden, LITFOG_REAL(1.0e-36), LITFOG_REAL(0.9))));
       size = part * whole;
       passed = litfog_airlight_depth(air, bright + size) - depth;
     }
