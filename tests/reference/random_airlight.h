@@ -78,7 +78,7 @@ inline Phase draw_phase(Random& random) {
 inline void draw_layers(Random& random, AirlightCase& c) {
   const double eye = c.ray.origin.y, lamp = c.light.position.y;
   const double size = std::max(std::abs(lamp - eye), 0.05 * glm::distance(c.ray.origin, c.light.position));
-  if (!(size > 0)) return;
+  if (!(size > 1e-12 * std::max(std::abs(eye), std::abs(lamp)))) return;  // no layer lies between them
   const double height = std::min(eye, lamp) + size * random.uniform(-0.5, 1.5);
   const double band = random.chance(0.3) ? 0 : size * random.log_uniform(0.01, 1);
   const double visibility = -std::log(kContrastMor) / c.atmosphere.fog.density;

@@ -14,7 +14,8 @@
 namespace litfog::render {
 namespace {
 
-constexpr double kApart = 0.03;  // radians between texels
+constexpr double kApart = 0.04;  // radians between texels
+constexpr double kApartInLayers = 0.03;
 constexpr int kMaxRows = 120;    // and one more row, so that kSlabs + 1 pictures fit into 4096
 constexpr int kSlabs = 32;       // far_slabs and, below, slabs_at_once of far_airlight.glsl
 constexpr int kFarLightsAtOnce = 1024;  // 33 turns of loops each, of llvmpipe's 65535 (airlight_pyramid.cpp)
@@ -48,6 +49,7 @@ void FarAirlight::set_size(glm::ivec2 size) {
 void FarAirlight::set_list(const FarAirlightList& list, const HigherOrderTextures& higher_orders) {
   higher_orders_ = &higher_orders;
   depth_ = list.depth;
+  visible_step_ = float(list.visible_step);
   light_count_ = int(list.lights.size());
   ranges_ = list.ranges;
   if (is_empty()) return;
@@ -61,7 +63,8 @@ int FarAirlight::bind_list(PassTextures& textures) const {
 
 void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphere& atmosphere) {
   if (is_empty()) return;
-  step_ = std::max({1, int(kApart * view.pixels_per_radian), (picture_size.y + kMaxRows - 1) / kMaxRows});
+  const double apart = atmosphere.profile.count > 0 ? kApartInLayers : kApart;
+  step_ = std::max({1, int(apart * view.pixels_per_radian), (picture_size.y + kMaxRows - 1) / kMaxRows});
   set_size((picture_size + (step_ - 1)) / step_ + 1);
   pass_.begin();
 
@@ -84,6 +87,7 @@ void FarAirlight::draw(glm::ivec2 picture_size, const View& view, const Atmosphe
     set_uniform(program, "eye", view.eye);
     set_uniform(program, "far_depth", float(depth_));
     set_uniform(program, "far_step", step_);
+    set_uniform(program, "visible_step", visible_step_);
     set_uniform(program, "row_count", size_.y);
     glEnable(GL_SCISSOR_TEST);
     for (int section = 0; section < FarAirlightList::kSections; ++section) {

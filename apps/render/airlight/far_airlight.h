@@ -49,6 +49,7 @@ class FarAirlight {
 
   const gl::FogLightBuffer& fog_lights_;
   double depth_ = 0;
+  float visible_step_ = 0;
   int light_count_ = 0;
   int step_ = 1;  // pixels between texels
   glm::ivec2 size_{0};

@@ -18,7 +18,8 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
   const double density = atmosphere.thickest_fog().density;
   if (!(density > 0) || std::isinf(density)) return list;
   // For lights, for what is too far away of all, and for what is too far away of some.
-  const double budget = kFarShare / 3 * visible_step(exposure);
+  list.visible_step = visible_step(exposure);
+  const double budget = kFarShare / 3 * list.visible_step;
   const ScatteringBound scattering(atmosphere.phase);
   const double phase = scattering.largest_from(FarAirlightList::kPeakAngle);
   struct Candidate {

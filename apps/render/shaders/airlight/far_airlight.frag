@@ -16,11 +16,12 @@ uniform vec3 eye;
 uniform isamplerBuffer far_lights;
 uniform int first_light;
 uniform int light_count;
-uniform int row_count;  // texel rows of eight slabs; the next eight slabs are above
+uniform float visible_step;  // of the display, linear
+uniform int row_count;    // texel rows of eight slabs; the next eight slabs are above
 
 const int slab_parts = 3;   // of a slab, in each of which a cone has one share
-const float faint = 0.001;  // of eight slabs: so little light that its place among them is not seen
-const float dim = 0.02;     // of eight slabs: so little light that slabs in layers are not cut into parts
+const float faint = 4.0;    // steps of the display in eight slabs: their place among these is not seen
+const float dim = 64.0;     // steps in eight slabs: in layers these are not cut into parts
 
 layout(location = 0) out vec4 sums[slabs_at_once];
 
@@ -51,7 +52,7 @@ void main() {
           litfog_layered_stretch(air, fog_slab, begins[0], begins[slabs_at_once], hidden, source.z);
       float brightest = max(max(lamp.r, lamp.g), lamp.b) * source.x *
                         litfog_scattered_in_stretch(beside, all, source.w, beam_of(source), source.z);
-      int parts = brightest < dim ? 1 : slab_parts;
+      int parts = brightest < dim * visible_step ? 1 : slab_parts;
       for (int part = 0; part < slabs_at_once * parts; ++part) {
         int slab = part / parts;
         float begin = begins[slab];
@@ -65,7 +66,7 @@ void main() {
     } else {
       float before = source.x * litfog_scattered_beyond(air, begins[0], litfog_far_peak_angle, source.w);
       float last = source.x * litfog_scattered_beyond(air, begins[slabs_at_once], litfog_far_peak_angle, source.w);
-      if (max(max(lamp.r, lamp.g), lamp.b) * (before - last) < faint) {
+      if (max(max(lamp.r, lamp.g), lamp.b) * (before - last) < faint * visible_step) {
         // It is spread over the slabs as the fog before them dims light.
         float middle = begins[slabs_at_once / 2];
         vec3 left = lamp * ((before - last) * scattered_share(source, air, middle));
