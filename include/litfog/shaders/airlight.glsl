@@ -17,14 +17,14 @@
 // degrees some 28, a cookie some 128 (light_airlight.glsl chooses by what the lamp can show). Each piece takes at least
 // 5 of them and a fifth, so that a bright piece short in t is not left to one.
 //
-// Where a phase function shapes the integrand in exp fog, q is 0 and a point lamp takes 8 nodes a side, bent towards the
-// closest approach where the ray passes inside the falloff. It takes 12 where the ray meets the plateau or fog scatters
-// back. In layers the ray is also cut at their knots, and each piece of it into steps of some optical depths, from the
-// end that the fog hides least to where it hides the rest.
+// Where a phase function shapes the integrand in exp fog, q is 0 and a point lamp takes 8 nodes a side, bent towards
+// the closest approach where the ray passes inside the falloff. It takes 12 where the ray meets the plateau or fog
+// scatters back. In layers the ray is also cut at their knots, and each piece of it into steps of some optical depths,
+// from the end that the fog hides least to where it hides the rest.
 //
 // Errors and what they were measured on: litfog/airlight.h. In floats they hold for cones of at least 0.02 radians and
-// lamps within 4e5 fog scales, for a float has too few digits of the cosine of a narrower cone and of a longer range; the
-// relative error holds for airlight above 1e-5.
+// lamps within 4e5 fog scales, for a float has too few digits of the cosine of a narrower cone and of a longer range;
+// the relative error holds for airlight above 1e-5.
 //
 // Loops test at their end. Drivers without branches (llvmpipe) run a body once more, for nothing, to find out at its
 // beginning that the loop has ended.
@@ -50,27 +50,27 @@
 
 // A lamp as a ray sees it, and the fog.
 struct LitfogAirlight {
-  LITFOG_REAL density;       // of the fog without layers as the lamp's class sees it, 1/m
-  LITFOG_REAL mode;          // of the fog: litfog_is_exp()
-  LITFOG_REAL lamp_leg;      // k: 1 where the light loses f(r) on its way from the lamp, 0 where it does not
+  LITFOG_REAL density;   // of the fog without layers as the lamp's class sees it, 1/m
+  LITFOG_REAL mode;      // of the fog: litfog_is_exp()
+  LITFOG_REAL lamp_leg;  // k: 1 where the light loses f(r) on its way from the lamp, 0 where it does not
   LitfogPhase phase;
-  LITFOG_REAL constant;      // of the attenuation
+  LITFOG_REAL constant;  // of the attenuation
   LITFOG_REAL linear;
   LITFOG_REAL quadratic;
-  LITFOG_REAL extent;        // metres
-  LITFOG_REAL profile;       // of the cone, with its x and y: LITFOG_PROFILE_*
+  LITFOG_REAL extent;   // metres
+  LITFOG_REAL profile;  // of the cone, with its x and y: LITFOG_PROFILE_*
   LITFOG_REAL cone_x;
   LITFOG_REAL cone_y;
-  LITFOG_REAL ray_length;    // D, metres
-  LITFOG_REAL approach;      // metres from the eye to the closest approach; below 0 where that is behind the eye
-  LITFOG_REAL offset;        // metres from the closest approach to the lamp
-  LITFOG_REAL axis_offset;   // component of that offset along the cone's axis: lamp to closest approach
-  LITFOG_REAL axis_slope;    // cosine between the ray and the cone's axis
-  LITFOG_REAL nodes;         // how often the integrand is evaluated; 0: as often as the stated errors need
-  LITFOG_REAL layer_scale;   // of the density profile (density_profile.glsl) for the lamp's class; 0: no layers
-  LITFOG_REAL height;        // metres: of the closest approach
-  LITFOG_REAL rise;          // of the ray, metres a metre
-  LITFOG_REAL lamp_height;   // metres
+  LITFOG_REAL ray_length;   // D, metres
+  LITFOG_REAL approach;     // metres from the eye to the closest approach; below 0 where that is behind the eye
+  LITFOG_REAL offset;       // metres from the closest approach to the lamp
+  LITFOG_REAL axis_offset;  // component of that offset along the cone's axis: lamp to closest approach
+  LITFOG_REAL axis_slope;   // cosine between the ray and the cone's axis
+  LITFOG_REAL nodes;        // how often the integrand is evaluated; 0: as often as the stated errors need
+  LITFOG_REAL layer_scale;  // of the density profile (density_profile.glsl) for the lamp's class; 0: no layers
+  LITFOG_REAL height;       // metres: of the closest approach
+  LITFOG_REAL rise;         // of the ray, metres a metre
+  LITFOG_REAL lamp_height;  // metres
 };
 
 LITFOG_CONSTANT LITFOG_REAL litfog_far = LITFOG_REAL(1.0e30);  // stands for infinity
@@ -118,9 +118,9 @@ LITFOG_REAL litfog_airlight_range(LitfogAirlight air, LITFOG_REAL along) {
 // Cosine from the cone's axis there; in the lamp itself that of the ray onward. Where the ray meets the lamp, the
 // offset is all rounding and the quotient can exceed 1 by far.
 LITFOG_REAL litfog_airlight_cosine(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL range) {
-  return range > LITFOG_REAL(0.0) ? clamp((air.axis_offset + air.axis_slope * along) / range, LITFOG_REAL(-1.0),
-                                          LITFOG_REAL(1.0))
-                                  : air.axis_slope;
+  return range > LITFOG_REAL(0.0)
+             ? clamp((air.axis_offset + air.axis_slope * along) / range, LITFOG_REAL(-1.0), LITFOG_REAL(1.0))
+             : air.axis_slope;
 }
 
 #if defined(LITFOG_COOKIES) && !defined(__cplusplus)
@@ -144,9 +144,8 @@ LITFOG_REAL litfog_airlight_versine(LitfogAirlight air, LITFOG_REAL along, LITFO
 // What of the integrand depends on angles, but for the edge of a cone and for a cookie.
 LITFOG_REAL litfog_airlight_by_angles(LitfogAirlight air, LITFOG_REAL along) {
   LITFOG_REAL range = litfog_airlight_range(air, along);
-  LITFOG_REAL value = range > LITFOG_REAL(0.0)
-                          ? litfog_phase(air.phase, litfog_airlight_versine(air, along, range))
-                          : LITFOG_REAL(1.0);
+  LITFOG_REAL value =
+      range > LITFOG_REAL(0.0) ? litfog_phase(air.phase, litfog_airlight_versine(air, along, range)) : LITFOG_REAL(1.0);
   if (!litfog_cone_is_cut_off(air.profile)) return value;
   LITFOG_REAL cosine = litfog_airlight_cosine(air, along, range);
   return value * litfog_cone_at(air.profile, cosine, LITFOG_REAL(0.0), air.cone_y);
@@ -214,12 +213,12 @@ LITFOG_REAL litfog_scaled_e1(LITFOG_REAL x) {
                   x * (LITFOG_REAL(0.05519968) + x * (LITFOG_REAL(-0.00976004) + x * LITFOG_REAL(0.00107857)))));
     return x * exp(x) * (series - log(x));
   }
-  LITFOG_REAL above = LITFOG_REAL(0.2677737343) +
-                      x * (LITFOG_REAL(8.6347608925) +
-                           x * (LITFOG_REAL(18.0590169730) + x * (LITFOG_REAL(8.5733287401) + x)));
-  LITFOG_REAL below = LITFOG_REAL(3.9584969228) +
-                      x * (LITFOG_REAL(21.0996530827) +
-                           x * (LITFOG_REAL(25.6329561486) + x * (LITFOG_REAL(9.5733223454) + x)));
+  LITFOG_REAL above =
+      LITFOG_REAL(0.2677737343) +
+      x * (LITFOG_REAL(8.6347608925) + x * (LITFOG_REAL(18.0590169730) + x * (LITFOG_REAL(8.5733287401) + x)));
+  LITFOG_REAL below =
+      LITFOG_REAL(3.9584969228) +
+      x * (LITFOG_REAL(21.0996530827) + x * (LITFOG_REAL(25.6329561486) + x * (LITFOG_REAL(9.5733223454) + x)));
   return x > LITFOG_REAL(1.0e6) ? LITFOG_REAL(1.0) : above / below;
 }
 
@@ -254,9 +253,8 @@ LITFOG_REAL litfog_airlight_plateau(LitfogAirlight air, LITFOG_REAL along) {
   LITFOG_REAL half_way = LITFOG_REAL(0.5) * d * air.approach;
   LITFOG_REAL y = d * litfog_airlight_range(air, along);
   LITFOG_REAL at_half_way = LITFOG_REAL(2.0) * half_way * half_way + d * air.offset * d * air.offset;
-  return LITFOG_REAL(-0.5) * exp(-x * x - y * y) +
-         LITFOG_REAL(1.2533141373155) * half_way * exp(-at_half_way) *
-             litfog_erf(LITFOG_REAL(1.4142135623731) * (x - half_way));
+  return LITFOG_REAL(-0.5) * exp(-x * x - y * y) + LITFOG_REAL(1.2533141373155) * half_way * exp(-at_half_way) *
+                                                       litfog_erf(LITFOG_REAL(1.4142135623731) * (x - half_way));
 }
 
 // Distance along the ray from the closest approach to where the lamp is at a range; 0 if the ray passes farther away.
@@ -333,8 +331,8 @@ bool litfog_airlight_is_plain(LitfogAirlight air) {
          !litfog_airlight_is_layered(air);
 }
 
-// A lamp in exp fog that is not isotropic and dims the lamp's leg as it does the eye's: the fog's weight e^(-d (s + r)) is
-// then nearly the same on all of the ray before the lamp, and the phase function shapes the integrand.
+// A lamp in exp fog that is not isotropic and dims the lamp's leg as it does the eye's: the fog's weight e^(-d (s + r))
+// is then nearly the same on all of the ray before the lamp, and the phase function shapes the integrand.
 bool litfog_airlight_is_shaped(LitfogAirlight air) {
   return !litfog_is_isotropic(air.phase) && litfog_is_exp(air.mode) && air.lamp_leg > LITFOG_REAL(0.0) &&
          !litfog_airlight_is_layered(air) && air.profile != LITFOG_REAL(LITFOG_PROFILE_COOKIE);
@@ -428,8 +426,8 @@ LITFOG_REAL litfog_airlight_bend(LitfogAirlight air, LitfogAirlightSide side, LI
   return LITFOG_REAL(0.075) * log(max(squared, LITFOG_REAL(1.0)));
 }
 
-// Metres over which a shaped lamp's side is smooth in fog of a density: before the closest approach the two legs make up
-// for each other, beyond it both dim the light.
+// Metres over which a shaped lamp's side is smooth in fog of a density: before the closest approach the two legs make
+// up for each other, beyond it both dim the light.
 LITFOG_REAL litfog_airlight_shaped_scale(LITFOG_REAL density, bool beyond) {
   return (beyond ? LITFOG_REAL(0.3) : LITFOG_REAL(2.0)) / density;
 }
@@ -440,8 +438,8 @@ LITFOG_REAL litfog_airlight_shaped_scale(LITFOG_REAL density, bool beyond) {
 // over the lamps and phase functions of airlight_test.cpp.
 LITFOG_REAL litfog_airlight_shaped_bend(LitfogAirlight air, LitfogAirlightSide side, LITFOG_REAL falloff,
                                         LITFOG_REAL density) {
-  LITFOG_REAL scale = min(min(falloff, side.farthest),
-                          litfog_airlight_shaped_scale(density, side.direction > LITFOG_REAL(0.0)));
+  LITFOG_REAL scale =
+      min(min(falloff, side.farthest), litfog_airlight_shaped_scale(density, side.direction > LITFOG_REAL(0.0)));
   LITFOG_REAL inside = log(max(scale, air.offset) / max(air.offset, LITFOG_REAL(1.0e-9) * scale));
   LITFOG_REAL left = LITFOG_REAL(1.0) - side.nearest / max(scale, LITFOG_REAL(1.0e-30));
   LITFOG_REAL bend = min(LITFOG_REAL(0.4) * inside, LITFOG_REAL(0.25) * (LITFOG_REAL(17.0) - inside));
@@ -474,8 +472,8 @@ LitfogAirlightSide litfog_airlight_side(LitfogAirlight air, LITFOG_REAL from, LI
   side.bend = LITFOG_REAL(0.0);
   if (side.farthest > side.nearest) {
     LITFOG_REAL end = litfog_airlight_z(side, side.farthest);
-    side.width = clamp(sqrt(width * width + side.nearest * side.nearest), LITFOG_REAL(1.0e-6) * end,
-                       LITFOG_REAL(1000.0) * end);
+    side.width =
+        clamp(sqrt(width * width + side.nearest * side.nearest), LITFOG_REAL(1.0e-6) * end, LITFOG_REAL(1000.0) * end);
     side.size = asinh(end / side.width);
     side.part = sqrt(side.size);
     if (litfog_airlight_is_shaped(air)) {
@@ -501,7 +499,8 @@ LitfogAirlightSide litfog_airlight_side_of(LitfogAirlight air, int i, LITFOG_REA
   LITFOG_REAL from = border != LITFOG_REAL(0.0) && takes_high ? max(low, border) : low;
   LITFOG_REAL to = border != LITFOG_REAL(0.0) && !takes_high ? min(high, border) : high;
   if (by_crossing) return litfog_airlight_side(air, from, to, crossing, beyond, beam_width, LITFOG_REAL(0.0));
-  if (beyond && litfog_airlight_is_shaped(air)) width = min(width, max(air.offset, litfog_airlight_shaped_scale(air.density, true)));
+  if (beyond && litfog_airlight_is_shaped(air))
+    width = min(width, max(air.offset, litfog_airlight_shaped_scale(air.density, true)));
   return litfog_airlight_side(air, beyond ? max(from, hole) : from, beyond ? to : min(to, -hole), LITFOG_REAL(0.0),
                               beyond, width, falloff);
 }
@@ -528,7 +527,8 @@ LITFOG_REAL litfog_airlight_between(LitfogAirlight air, LitfogAirlightSide side,
     LITFOG_REAL position = (panel + litfog_gauss_nodes[node]) * panel_size;
     LITFOG_REAL place = first_place + (last_place - first_place) * position;
     LITFOG_REAL nearer = LITFOG_REAL(1.0) / (LITFOG_REAL(1.0) + side.bend * (LITFOG_REAL(1.0) - place));
-    LITFOG_REAL growth = exp(side.bend == LITFOG_REAL(0.0) ? start + (end - start) * position : side.size * place * nearer);
+    LITFOG_REAL growth =
+        exp(side.bend == LITFOG_REAL(0.0) ? start + (end - start) * position : side.size * place * nearer);
     LITFOG_REAL sinh_t = LITFOG_REAL(0.5) * (growth - LITFOG_REAL(1.0) / growth);
     LITFOG_REAL cosh_t = LITFOG_REAL(0.5) * (growth + LITFOG_REAL(1.0) / growth);
     LITFOG_REAL z = side.width * sinh_t;
@@ -556,9 +556,9 @@ LITFOG_REAL litfog_airlight_next(LitfogAirlightSide side, LITFOG_REAL cut, LITFO
 // Where a side is cut into smooth pieces: distances along the ray from the closest approach, litfog_far for none.
 struct LitfogAirlightCuts {
   bool are_made;
-  bool are_exact;         // pieces share the nodes and none is added
-  LITFOG_REAL least;      // how many nodes a piece has at least
-  LITFOG_REAL plateau;    // and the same before the closest approach
+  bool are_exact;       // pieces share the nodes and none is added
+  LITFOG_REAL least;    // how many nodes a piece has at least
+  LITFOG_REAL plateau;  // and the same before the closest approach
   LitfogAirlightPart dark;
   LitfogAirlightPart inner;  // of a smoothstep cone's full brightness; of a wide one, where it is less
 };
@@ -662,8 +662,8 @@ LitfogAirlightStretch litfog_airlight_lit(LitfogAirlight air) {
   return lit;
 }
 
-// Metres from the eye to where a ray enters the layers: 0 where the eye is in fog or between layers, litfog_far where the
-// ray does not enter them.
+// Metres from the eye to where a ray enters the layers: 0 where the eye is in fog or between layers, litfog_far where
+// the ray does not enter them.
 LITFOG_REAL litfog_airlight_start_of_layers(LitfogAirlight air) {
   LITFOG_REAL height = litfog_airlight_height(air, -air.approach);
   if (litfog_airlight_density(air, -air.approach) > LITFOG_REAL(0.0)) return LITFOG_REAL(0.0);
@@ -710,8 +710,8 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
   // 1e-3), towards the eye to 1e-2 (2e-2). A lamp up to 6 fog scales away may be so much brighter than the fog before
   // it that the fog around the lamp counts, too.
   bool is_plain = litfog_airlight_is_plain(air);
-  // Fog that scatters backwards is brighter far behind the lamp. So is fog that scatters forwards before the lamp, which
-  // lies within the reach but in exp fog with a clear lamp leg.
+  // Fog that scatters backwards is brighter far behind the lamp. So is fog that scatters forwards before the lamp,
+  // which lies within the reach but in exp fog with a clear lamp leg.
   LITFOG_REAL depths = litfog_backward_depths(air.phase);
   if (litfog_is_exp(air.mode)) {
     // With a clear leg, the fog around a far lamp counts by how much brighter the lamp makes it than that at the eye.
@@ -719,10 +719,11 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
     LITFOG_REAL first = litfog_airlight_range(air, low);
     LITFOG_REAL brighter = log(litfog_attenuation(nearest, air.constant, air.linear, air.quadratic) /
                                litfog_attenuation(first, air.constant, air.linear, air.quadratic));
-    high = min(high, air.lamp_leg == LITFOG_REAL(0.0)
-                         ? low + (LITFOG_REAL(9.0) + brighter + max(litfog_forward_depths(air.phase), depths)) * fog_scale
-                         : max(low, LITFOG_REAL(0.0)) + (LITFOG_REAL(4.5) + LITFOG_REAL(0.5) * depths) * fog_scale +
-                               min(LITFOG_REAL(4.5) * fog_scale, air.offset));
+    high =
+        min(high, air.lamp_leg == LITFOG_REAL(0.0)
+                      ? low + (LITFOG_REAL(9.0) + brighter + max(litfog_forward_depths(air.phase), depths)) * fog_scale
+                      : max(low, LITFOG_REAL(0.0)) + (LITFOG_REAL(4.5) + LITFOG_REAL(0.5) * depths) * fog_scale +
+                            min(LITFOG_REAL(4.5) * fog_scale, air.offset));
   } else {
     LITFOG_REAL brightest = (LITFOG_REAL(0.5) * air.lamp_leg - LITFOG_REAL(1.0)) * air.approach;
     LITFOG_REAL legs = LITFOG_REAL(1.0) + air.lamp_leg;
@@ -743,9 +744,10 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
   return stretch;
 }
 
-// An upper bound of the integral (airlight_bound.glsl). Along a ray the angle of scattering rises. A cone is at most what it is where
-// the ray is nearest to its axis. s + k r falls nowhere along a ray, so that in exp fog it is least where the stretch
-// begins; beyond the closest approach it rises as fast as s, so that no more than a fog scale counts of that side.
+// An upper bound of the integral (airlight_bound.glsl). Along a ray the angle of scattering rises. A cone is at most
+// what it is where the ray is nearest to its axis. s + k r falls nowhere along a ray, so that in exp fog it is least
+// where the stretch begins; beyond the closest approach it rises as fast as s, so that no more than a fog scale counts
+// of that side.
 LITFOG_REAL litfog_airlight_bound(LitfogAirlight air, LitfogAirlightStretch stretch) {
   LITFOG_REAL size = stretch.high - stretch.low;
   LITFOG_REAL nearest = litfog_airlight_range(air, clamp(LITFOG_REAL(0.0), stretch.low, stretch.high));
@@ -786,12 +788,12 @@ int litfog_airlight_used_side(int i, LitfogAirlightSide before, LitfogAirlightSi
 
 // What a ray's integral is spread by.
 struct LitfogAirlightShape {
-  LITFOG_REAL density;     // at the closest approach, not 0
-  LITFOG_REAL plateau;     // distance to the closest approach up to which the attenuation is clamped to 1
-  LITFOG_REAL falloff;     // width of the attenuation
-  LITFOG_REAL width;       // of all that changes about the closest approach
-  bool crosses;            // whether a beam crosses the ray far from there
-  LITFOG_REAL crossing;    // where
+  LITFOG_REAL density;   // at the closest approach, not 0
+  LITFOG_REAL plateau;   // distance to the closest approach up to which the attenuation is clamped to 1
+  LITFOG_REAL falloff;   // width of the attenuation
+  LITFOG_REAL width;     // of all that changes about the closest approach
+  bool crosses;          // whether a beam crosses the ray far from there
+  LITFOG_REAL crossing;  // where
   LITFOG_REAL beam_width;
 };
 
@@ -806,8 +808,8 @@ LITFOG_REAL litfog_airlight_step(LitfogAirlight air, LitfogAirlightShape shape, 
   side.anchor = by_crossing ? shape.crossing : LITFOG_REAL(0.0);
   side.direction = middle > side.anchor ? LITFOG_REAL(1.0) : LITFOG_REAL(-1.0);
   side.nearest = LITFOG_REAL(0.0);
-  LITFOG_REAL nearest = max((side.direction > LITFOG_REAL(0.0) ? low : -high) - side.direction * side.anchor,
-                            LITFOG_REAL(0.0));
+  LITFOG_REAL nearest =
+      max((side.direction > LITFOG_REAL(0.0) ? low : -high) - side.direction * side.anchor, LITFOG_REAL(0.0));
   side.farthest = (side.direction > LITFOG_REAL(0.0) ? high : -low) - side.direction * side.anchor;
   side.rate = LITFOG_REAL(0.0);
   side.width = by_crossing ? shape.beam_width : shape.width;
@@ -846,13 +848,13 @@ LITFOG_REAL litfog_airlight_shown(LitfogAirlight air, LITFOG_REAL along) {
 
 // Of litfog_airlight_piece(), optical depths of both legs and fractions. With them the stated errors in layers hold
 // (airlight_climb).
-LITFOG_CONSTANT LITFOG_REAL litfog_step_depth = LITFOG_REAL(6.0);         // aimed at
-LITFOG_CONSTANT LITFOG_REAL litfog_least_step_depth = LITFOG_REAL(2.5);   // of a step that is not the last
+LITFOG_CONSTANT LITFOG_REAL litfog_step_depth = LITFOG_REAL(6.0);        // aimed at
+LITFOG_CONSTANT LITFOG_REAL litfog_least_step_depth = LITFOG_REAL(2.5);  // of a step that is not the last
 LITFOG_CONSTANT LITFOG_REAL litfog_largest_step_depth = LITFOG_REAL(9.0);
-LITFOG_CONSTANT LITFOG_REAL litfog_seen_depth = LITFOG_REAL(8.0);         // e^-8 is a twelfth of an 8-bit step
-LITFOG_CONSTANT LITFOG_REAL litfog_even_depth = LITFOG_REAL(1.5);         // steps up to it may be of any fog
-LITFOG_CONSTANT LITFOG_REAL litfog_first_of_step = LITFOG_REAL(0.125);    // where others have less than
-LITFOG_CONSTANT LITFOG_REAL litfog_depth_of_first = LITFOG_REAL(0.25);    // this of their depth
+LITFOG_CONSTANT LITFOG_REAL litfog_seen_depth = LITFOG_REAL(8.0);       // e^-8 is a twelfth of an 8-bit step
+LITFOG_CONSTANT LITFOG_REAL litfog_even_depth = LITFOG_REAL(1.5);       // steps up to it may be of any fog
+LITFOG_CONSTANT LITFOG_REAL litfog_first_of_step = LITFOG_REAL(0.125);  // where others have less than
+LITFOG_CONSTANT LITFOG_REAL litfog_depth_of_first = LITFOG_REAL(0.25);  // this of their depth
 
 // The integral over a smooth piece of a ray in layers, of which the fog hides one end, `dim`, more than the other by an
 // optical depth of both legs: in steps, until litfog_seen_depth is passed and as many depths more as the dim end is lit
@@ -873,8 +875,7 @@ LITFOG_REAL litfog_airlight_piece(LitfogAirlight air, LitfogAirlightShape shape,
     LITFOG_REAL passed = hidden;
     LITFOG_REAL aim = litfog_step_depth / hidden;
     LITFOG_REAL part = aim;
-    for (int i = 0;
-         i < 6 && (passed > litfog_largest_step_depth || (i > 0 && passed < litfog_least_step_depth)); ++i) {
+    for (int i = 0; i < 6 && (passed > litfog_largest_step_depth || (i > 0 && passed < litfog_least_step_depth)); ++i) {
       if (i > 0) part = pow(part, log(aim) / log(clamp(passed / hidden, LITFOG_REAL(1.0e-36), LITFOG_REAL(0.9))));
       size = part * whole;
       passed = litfog_airlight_depth(air, bright + size) - depth;
@@ -984,7 +985,8 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
   LITFOG_REAL doubled = litfog_airlight_level(air, LITFOG_REAL(2.0) * max(LITFOG_REAL(1.0), denominator));
   LITFOG_REAL falloff = min(litfog_airlight_chord(air, doubled), max(air.offset, LITFOG_REAL(2.0) * fog_scale));
   LITFOG_REAL width = falloff;
-  if (!litfog_is_isotropic(air.phase) && !litfog_airlight_is_shaped(air)) width = min(width, max(air.offset, LITFOG_REAL(2.0e-3) * fog_scale));
+  if (!litfog_is_isotropic(air.phase) && !litfog_airlight_is_shaped(air))
+    width = min(width, max(air.offset, LITFOG_REAL(2.0e-3) * fog_scale));
   if (air.profile == LITFOG_REAL(LITFOG_PROFILE_COOKIE)) width = min(width, max(air.offset, LITFOG_REAL(0.01) * width));
 
   // Where the ray is nearest to the beam's axis in angle, and the beam's width there.
@@ -1025,8 +1027,10 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
 
   // Nodes for each side in proportion to the root of its size in t, of a point lamp in exp2 fog to the power 3/4.
   LITFOG_REAL hole = is_plain ? plateau : LITFOG_REAL(0.0);
-  LitfogAirlightSide before = litfog_airlight_side_of(air, 0, low, high, hole, width, crossing, border, beam_width, falloff);
-  LitfogAirlightSide beyond = litfog_airlight_side_of(air, 1, low, high, hole, width, crossing, border, beam_width, falloff);
+  LitfogAirlightSide before =
+      litfog_airlight_side_of(air, 0, low, high, hole, width, crossing, border, beam_width, falloff);
+  LitfogAirlightSide beyond =
+      litfog_airlight_side_of(air, 1, low, high, hole, width, crossing, border, beam_width, falloff);
   LitfogAirlightSide before_crossing = before;
   LitfogAirlightSide beyond_crossing = beyond;
   before_crossing.part = LITFOG_REAL(0.0);

@@ -3,8 +3,8 @@
 // the first and above the last, 0 without knots. All that depends on its shape is asked here. GLSL includes this file
 // like any other; C++ takes the same text through src/model/density_profile_text.h.
 //
-// The knots are those of the block. Heights rise from knot to knot, but two may be equal where they are rounded: that is
-// a step. A program for profiles of so many knots, 0 in fog without layers, may define LITFOG_KNOT_COUNT before the
+// The knots are those of the block. Heights rise from knot to knot, but two may be equal where they are rounded: that
+// is a step. A program for profiles of so many knots, 0 in fog without layers, may define LITFOG_KNOT_COUNT before the
 // first include of litfog; compilers then unroll the loops over knots.
 
 #ifndef LITFOG_DENSITY_PROFILE_GLSL

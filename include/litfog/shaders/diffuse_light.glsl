@@ -20,10 +20,12 @@
 // facing  that integral's component into the surface
 LITFOG_FUNCTION LITFOG_REAL litfog_diffuse_irradiance(LITFOG_REAL all, LITFOG_REAL flow, LITFOG_REAL facing) {
   LITFOG_REAL even = max(all - flow, LITFOG_REAL(1.0e-6) * all);
-  LITFOG_REAL width = LITFOG_REAL(0.5) * even / max(flow + LITFOG_REAL(0.15) * even, LITFOG_REAL(1.0e-30));  // over the flow
+  LITFOG_REAL width =
+      LITFOG_REAL(0.5) * even / max(flow + LITFOG_REAL(0.15) * even, LITFOG_REAL(1.0e-30));  // over the flow
   LITFOG_REAL edge = sqrt(LITFOG_REAL(1.0) + width * width);
   LITFOG_REAL peak = LITFOG_REAL(0.5) * (facing + sqrt(facing * facing + width * width * flow * flow));
-  LITFOG_REAL mean_peak = LITFOG_REAL(0.25) * flow * (edge + width * width * log((LITFOG_REAL(1.0) + edge) / max(width, LITFOG_REAL(1.0e-6))));
+  LITFOG_REAL mean_peak = LITFOG_REAL(0.25) * flow *
+                          (edge + width * width * log((LITFOG_REAL(1.0) + edge) / max(width, LITFOG_REAL(1.0e-6))));
   return peak + LITFOG_REAL(0.25) * all - mean_peak;
 }
 

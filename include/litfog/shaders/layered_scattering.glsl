@@ -69,8 +69,7 @@ LITFOG_REAL litfog_exponential_integral(LITFOG_REAL depth) {
 
 // The part of light, sent evenly to all sides, that a slab scatters before it leaves.
 LITFOG_REAL litfog_scattered_again(LITFOG_REAL above, LITFOG_REAL below) {
-  LITFOG_REAL escapes =
-      LITFOG_REAL(0.5) * (litfog_exponential_integral(above) + litfog_exponential_integral(below));
+  LITFOG_REAL escapes = LITFOG_REAL(0.5) * (litfog_exponential_integral(above) + litfog_exponential_integral(below));
   return max(LITFOG_REAL(1.0) - escapes, LITFOG_REAL(1.0e-30));
 }
 
@@ -166,8 +165,8 @@ LitfogLayeredStretch litfog_layered_stretch(LitfogAirlight air, LitfogSlab slab,
     LITFOG_REAL range = litfog_airlight_range(air, along);
     LITFOG_REAL rise = height - air.lamp_height;
     LITFOG_REAL beside = sqrt(max(range * range - rise * rise, LITFOG_REAL(0.0)));
-    stretch.part = litfog_kept_in_slab(slab, fog, beside, phase_cosine) * exp(-hidden) *
-                   litfog_expm1(-stretch.depth) / litfog_expm1(-endless);
+    stretch.part = litfog_kept_in_slab(slab, fog, beside, phase_cosine) * exp(-hidden) * litfog_expm1(-stretch.depth) /
+                   litfog_expm1(-endless);
   }
   return stretch;
 }
@@ -268,8 +267,8 @@ LITFOG_REAL litfog_scattered_between(LitfogAirlight air, LitfogAirlight beside, 
   return sum;
 }
 
-// M along a ray in layers, over the lamp's effective intensity. Where `beside` passes the lamp farther off than the ray,
-// its light is subtracted.
+// M along a ray in layers, over the lamp's effective intensity. Where `beside` passes the lamp farther off than the
+// ray, its light is subtracted.
 //
 // stretches   into which the ray is divided between two knots
 // soft_range  of the lamp, metres
@@ -277,8 +276,8 @@ LITFOG_REAL litfog_scattered_between(LitfogAirlight air, LitfogAirlight beside, 
 LITFOG_REAL litfog_layered_scattering(LitfogAirlight air, LitfogAirlight beside, int stretches, LITFOG_REAL soft_range,
                                       LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
   LITFOG_REAL from = litfog_airlight_start_of_layers(air);
-  LITFOG_REAL last = min(min(air.ray_length, litfog_airlight_end_of_layers(air, litfog_hidden_depth)),
-                         litfog_longest_layered_ray);
+  LITFOG_REAL last =
+      min(min(air.ray_length, litfog_airlight_end_of_layers(air, litfog_hidden_depth)), litfog_longest_layered_ray);
   if (!(last > from)) return LITFOG_REAL(0.0);
   last = litfog_end_of_sight(air, from, last);
   LitfogSlab slab = litfog_slab(air);

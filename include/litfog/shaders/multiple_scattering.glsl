@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog: light of a point lamp that exp fog scatters to the eye twice and more often, M of litfog/multiple_scattering.h.
-// airlight.glsl has what is scattered once. Shared with C++ as airlight.glsl is; GLSL includes it after
-// light_airlight.glsl.
+// litfog: light of a point lamp that exp fog scatters to the eye twice and more often, M of
+// litfog/multiple_scattering.h. airlight.glsl has what is scattered once. Shared with C++ as airlight.glsl is; GLSL
+// includes it after light_airlight.glsl.
 //
-// In Vulkan the table is at LITFOG_SET (default 0) and LITFOG_SCATTERING_BINDING (default 3), and the beams of cones are at
-// LITFOG_BEAMS_BINDING (default 5).
+// In Vulkan the table is at LITFOG_SET (default 0) and LITFOG_SCATTERING_BINDING (default 3), and the beams of cones
+// are at LITFOG_BEAMS_BINDING (default 5).
 
 #ifndef LITFOG_MULTIPLE_SCATTERING_GLSL
 #define LITFOG_MULTIPLE_SCATTERING_GLSL
@@ -12,8 +12,8 @@
 #ifndef __cplusplus
 #include "litfog/shaders/light_airlight.glsl"
 
-// The table of make_scattering_table(): a texture of one component with linear filters, clamped to its edges, an angle a
-// column and a depth a row.
+// The table of make_scattering_table(): a texture of one component with linear filters, clamped to its edges, an angle
+// a column and a depth a row.
 #ifdef VULKAN
 #ifndef LITFOG_SET
 #define LITFOG_SET 0
@@ -75,23 +75,23 @@ LITFOG_CONSTANT LITFOG_REAL litfog_last_beam_depth = LITFOG_REAL(12.0);
 LITFOG_CONSTANT LITFOG_REAL litfog_beam_depth_step = LITFOG_REAL(0.4264619770);  // ln(last / first) / 15
 LITFOG_CONSTANT LITFOG_REAL litfog_beam_angle_step = LITFOG_REAL(0.1365909849);  // pi / 23
 
-// Of litfog_beam_share(), fitted to random walks: the strength of light that has hardly been turned, and the power of the
-// cone's edge in it.
+// Of litfog_beam_share(), fitted to random walks: the strength of light that has hardly been turned, and the power of
+// the cone's edge in it.
 LITFOG_CONSTANT LITFOG_REAL litfog_unturned_of_cosine = LITFOG_REAL(0.6);
 LITFOG_CONSTANT LITFOG_REAL litfog_edge_power = LITFOG_REAL(1.2);
 LITFOG_CONSTANT LITFOG_REAL litfog_edge_power_of_unturned = LITFOG_REAL(1.6);
 
-// Of litfog_softness(), fitted to the glow of lamps of 17 laws in fog of 11 phase functions: the angle, radians, over which
-// one lobe blurs less than all, and the distance within which it does not matter, in soft ranges a radian.
+// Of litfog_softness(), fitted to the glow of lamps of 17 laws in fog of 11 phase functions: the angle, radians, over
+// which one lobe blurs less than all, and the distance within which it does not matter, in soft ranges a radian.
 LITFOG_CONSTANT LITFOG_REAL litfog_softening_width = LITFOG_REAL(1.1);
 LITFOG_CONSTANT LITFOG_REAL litfog_softening_near = LITFOG_REAL(0.15);
 
 // The soft range of the flow of light, over that of isotropic fog.
 LITFOG_CONSTANT LITFOG_REAL litfog_softening_flow = LITFOG_REAL(1.1);
 
-// M d^-2 of a lamp of 1 / r^2 in endless fog of density d, at an optical depth from the lamp and an angle between the ray
-// and the direction to the lamp. Depths and angles below the table's count as its first. Beyond its last depth the light
-// falls as that of diffusion does, by 1 / depth.
+// M d^-2 of a lamp of 1 / r^2 in endless fog of density d, at an optical depth from the lamp and an angle between the
+// ray and the direction to the lamp. Depths and angles below the table's count as its first. Beyond its last depth the
+// light falls as that of diffusion does, by 1 / depth.
 LITFOG_REAL litfog_scattered_at(LITFOG_REAL depth, LITFOG_REAL angle) {
   LITFOG_REAL x = clamp(depth, litfog_least_scattering_depth, litfog_most_scattering_depth);
   LITFOG_REAL y = max(angle, litfog_least_scattering_angle);
@@ -100,8 +100,9 @@ LITFOG_REAL litfog_scattered_at(LITFOG_REAL depth, LITFOG_REAL angle) {
   return exp(litfog_scattering_log(row, column)) * (x / max(depth, x));
 }
 
-// The fraction of a lamp's soft range by which rays count as passing it farther off. What the peak of the phase function
-// hardly turns still comes almost straight from the lamp, so that small angles are blurred less, but close to the lamp.
+// The fraction of a lamp's soft range by which rays count as passing it farther off. What the peak of the phase
+// function hardly turns still comes almost straight from the lamp, so that small angles are blurred less, but close to
+// the lamp.
 //
 // range  from the lamp, over the soft range
 // angle  between the ray and the direction to the lamp
@@ -117,16 +118,18 @@ LITFOG_REAL litfog_softness(LitfogPhase phase, LITFOG_REAL range, LITFOG_REAL an
   return turned * seen / (seen + narrow);
 }
 
-// M, over the lamp's effective intensity, that a point on the ray receives from there on in endless fog. The point is at a
-// distance along the ray from the closest approach. Angles below the least one, radians, count as that. In the lamp itself
-// the angle is a right one, as atan(0, 0) is not defined.
+// M, over the lamp's effective intensity, that a point on the ray receives from there on in endless fog. The point is
+// at a distance along the ray from the closest approach. Angles below the least one, radians, count as that. In the
+// lamp itself the angle is a right one, as atan(0, 0) is not defined.
 //
 // soft_range  of the lamp, metres: soft_range() of litfog/multiple_scattering.h
-LITFOG_REAL litfog_scattered_from(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL least_angle, LITFOG_REAL soft_range) {
+LITFOG_REAL litfog_scattered_from(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL least_angle,
+                                  LITFOG_REAL soft_range) {
   LITFOG_REAL range = litfog_airlight_range(air, along);
   LITFOG_REAL offset = max(air.offset, LITFOG_REAL(1.0e-30));
   if (soft_range > LITFOG_REAL(0.0)) {
-    LITFOG_REAL soft = soft_range * litfog_softness(air.phase, range / soft_range, max(atan(offset, -along), least_angle));
+    LITFOG_REAL soft =
+        soft_range * litfog_softness(air.phase, range / soft_range, max(atan(offset, -along), least_angle));
     range = sqrt(range * range + soft * soft);
     offset = sqrt(offset * offset + soft * soft);
   }
@@ -134,12 +137,13 @@ LITFOG_REAL litfog_scattered_from(LitfogAirlight air, LITFOG_REAL along, LITFOG_
 }
 
 // The same as the eye sees it through the fog before the point, a distance from the eye.
-LITFOG_REAL litfog_scattered_beyond(LitfogAirlight air, LITFOG_REAL range, LITFOG_REAL least_angle, LITFOG_REAL soft_range) {
+LITFOG_REAL litfog_scattered_beyond(LitfogAirlight air, LITFOG_REAL range, LITFOG_REAL least_angle,
+                                    LITFOG_REAL soft_range) {
   return exp(-air.density * range) * litfog_scattered_from(air, range - air.approach, least_angle, soft_range);
 }
 
-// M of a point lamp along a ray of exp fog, over the lamp's effective intensity: what the eye would receive from endless
-// fog without what comes from beyond the ray's end.
+// M of a point lamp along a ray of exp fog, over the lamp's effective intensity: what the eye would receive from
+// endless fog without what comes from beyond the ray's end.
 LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL soft_range) {
   LITFOG_REAL all = litfog_scattered_from(air, -air.approach, LITFOG_REAL(0.0), soft_range);
   if (!(air.ray_length < litfog_far)) return all;
@@ -152,8 +156,8 @@ LITFOG_REAL litfog_scattered_lobe(LITFOG_REAL mean_cosine, LITFOG_REAL cosine) {
   return (LITFOG_REAL(1.0) - mean_cosine * mean_cosine) / (base * sqrt(base));
 }
 
-// M of a cone over that of a point lamp: of what is scattered into the eye at a point of the ray, a distance along it from
-// the closest approach. The light that arrives there is taken as spread about the direction in which it flows.
+// M of a cone over that of a point lamp: of what is scattered into the eye at a point of the ray, a distance along it
+// from the closest approach. The light that arrives there is taken as spread about the direction in which it flows.
 //
 // beam          index of the cone's ScatteredBeam
 // phase_cosine  mean cosine of the phase function
@@ -163,18 +167,21 @@ LITFOG_REAL litfog_beam_share(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL
   LITFOG_REAL cosine = clamp((air.axis_offset + along * air.axis_slope) / range, LITFOG_REAL(-1.0), LITFOG_REAL(1.0));
   LITFOG_REAL depth = clamp(air.density * range, litfog_first_beam_depth, litfog_last_beam_depth);
   LITFOG_REAL column = acos(cosine) / litfog_beam_angle_step;
-  LitfogScatteredBeam scattered = litfog_scattered_beam(beam, log(depth / litfog_first_beam_depth) / litfog_beam_depth_step, column);
+  LitfogScatteredBeam scattered =
+      litfog_scattered_beam(beam, log(depth / litfog_first_beam_depth) / litfog_beam_depth_step, column);
   LITFOG_REAL even = phase_cosine * scattered.forward;
   if (even == LITFOG_REAL(0.0)) return scattered.share;
   LITFOG_REAL sine = sqrt(max(LITFOG_REAL(1.0) - cosine * cosine, LITFOG_REAL(1.0e-6)));
   LITFOG_REAL across = (away * cosine - air.axis_slope) / sine;
-  LITFOG_REAL flow = max(sqrt(scattered.radial * scattered.radial + scattered.turned * scattered.turned), LITFOG_REAL(1.0e-9));
+  LITFOG_REAL flow =
+      max(sqrt(scattered.radial * scattered.radial + scattered.turned * scattered.turned), LITFOG_REAL(1.0e-9));
   LITFOG_REAL ahead = -(scattered.radial * away + scattered.turned * across) / flow;
   LITFOG_REAL mean_cosine = min(even * flow / scattered.share, LITFOG_REAL(0.95));
-  LITFOG_REAL cone = scattered.share * litfog_scattered_lobe(mean_cosine, clamp(ahead, LITFOG_REAL(-1.0), LITFOG_REAL(1.0)));
+  LITFOG_REAL cone =
+      scattered.share * litfog_scattered_lobe(mean_cosine, clamp(ahead, LITFOG_REAL(-1.0), LITFOG_REAL(1.0)));
   LITFOG_REAL point = litfog_scattered_lobe(even, -away);
-  // Some of the light has hardly been turned yet. It lights the peak of the phase function. Only inside the cone is there
-  // such light; the less a scattering turns it, the sharper that edge.
+  // Some of the light has hardly been turned yet. It lights the peak of the phase function. Only inside the cone is
+  // there such light; the less a scattering turns it, the sharper that edge.
   LITFOG_REAL unturned = litfog_second_weight(air.phase);
   LITFOG_REAL straight = (litfog_unturned_of_cosine * phase_cosine * phase_cosine + unturned) * scattered.forward *
                          scattered.forward * litfog_phase(air.phase, LITFOG_REAL(1.0) + away);
@@ -191,20 +198,21 @@ struct LitfogScatteredLight {
   LITFOG_REAL turned;  // flow away from the beam's axis, at right angles to that
 };
 
-// What flows away from a point lamp is (1 - e^-depth) / range^2, as the fog absorbs none; the rest is known by the beam.
-// A soft lamp counts as farther off.
-// litfog_diffuse_irradiance() of diffuse_light.glsl is what a surface receives of it.
+// What flows away from a point lamp is (1 - e^-depth) / range^2, as the fog absorbs none; the rest is known by the
+// beam. A soft lamp counts as farther off. litfog_diffuse_irradiance() of diffuse_light.glsl is what a surface receives
+// of it.
 //
 // density       of the fog, 1/m
 // range         from the lamp, metres
 // soft_range    of the lamp, metres
 // cosine        between the beam's axis and the direction away from the lamp
 // phase_cosine  mean cosine of the phase function
-LitfogScatteredLight litfog_scattered_light(LITFOG_REAL density, LITFOG_REAL range, LITFOG_REAL soft_range, LITFOG_REAL beam,
-                                            LITFOG_REAL cosine, LITFOG_REAL phase_cosine) {
+LitfogScatteredLight litfog_scattered_light(LITFOG_REAL density, LITFOG_REAL range, LITFOG_REAL soft_range,
+                                            LITFOG_REAL beam, LITFOG_REAL cosine, LITFOG_REAL phase_cosine) {
   LITFOG_REAL soft = sqrt(range * range + soft_range * soft_range);
   LITFOG_REAL depth = density * soft;
-  LITFOG_REAL row = log(clamp(depth, litfog_first_beam_depth, litfog_last_beam_depth) / litfog_first_beam_depth) / litfog_beam_depth_step;
+  LITFOG_REAL row = log(clamp(depth, litfog_first_beam_depth, litfog_last_beam_depth) / litfog_first_beam_depth) /
+                    litfog_beam_depth_step;
   LitfogScatteredBeam scattered = litfog_scattered_beam(beam, row, acos(cosine) / litfog_beam_angle_step);
   LITFOG_REAL of_flow = litfog_softening_flow * soft_range / (LITFOG_REAL(1.0) + phase_cosine);
   LITFOG_REAL flowing = sqrt(range * range + of_flow * of_flow);
@@ -216,10 +224,13 @@ LitfogScatteredLight litfog_scattered_light(LITFOG_REAL density, LITFOG_REAL ran
   return light;
 }
 
-// M of a cone along a ray of exp fog, over the lamp's effective intensity: that of a point lamp, piece by piece of the ray.
-LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL soft_range, LITFOG_REAL beam, LITFOG_REAL phase_cosine) {
+// M of a cone along a ray of exp fog, over the lamp's effective intensity: that of a point lamp, piece by piece of the
+// ray.
+LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL soft_range, LITFOG_REAL beam,
+                                       LITFOG_REAL phase_cosine) {
   const int pieces = 32;
-  LITFOG_REAL width = max(air.offset, LITFOG_REAL(1.0e-4) * (max(air.approach, -air.approach) + LITFOG_REAL(1.0) / air.density));
+  LITFOG_REAL width =
+      max(air.offset, LITFOG_REAL(1.0e-4) * (max(air.approach, -air.approach) + LITFOG_REAL(1.0) / air.density));
   LITFOG_REAL farthest = min(air.ray_length, max(air.approach, LITFOG_REAL(0.0)) + LITFOG_REAL(12.0) / air.density);
   LITFOG_REAL first = asinh(-air.approach / width);
   LITFOG_REAL last = asinh((farthest - air.approach) / width);
@@ -231,7 +242,8 @@ LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL soft_rang
     LITFOG_REAL end = i + 1 < pieces ? air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)) : farthest;
     end = clamp(end, begin, max(begin, farthest));
     LITFOG_REAL next = litfog_scattered_beyond(air, end, LITFOG_REAL(0.0), soft_range);
-    sum += max(beyond - next, LITFOG_REAL(0.0)) * litfog_beam_share(air, LITFOG_REAL(0.5) * (begin + end) - air.approach, beam, phase_cosine);
+    sum += max(beyond - next, LITFOG_REAL(0.0)) *
+           litfog_beam_share(air, LITFOG_REAL(0.5) * (begin + end) - air.approach, beam, phase_cosine);
     begin = end;
     beyond = next;
   }
