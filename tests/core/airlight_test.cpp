@@ -488,7 +488,7 @@ struct FastErrors {
 template <typename Draw>
 FastErrors find_errors(int rays, double dimmest, const Draw& draw) {
   FastErrors errors;
-  for (int i = 0; i < rays; ++i) {
+  for (int i = 0; i < scaled_count(rays); ++i) {
     const AirlightCase c = draw();
     const double expected = reference_of(c);
     const double error = std::abs(airlight_of(c) - expected);
@@ -542,7 +542,7 @@ TEST(Airlight, FastFormHasItsStatedErrorsForPhotometricLamps) {
                       phase.first.asymmetry, phase.second.asymmetry);
         WorstError error("airlight", what, kPhotometricAirlightMaxError, "of the airlight");
         std::vector<double> relative;
-        for (int i = 0; i < kRays; ++i) {
+        for (int i = 0; i < scaled_count(kRays); ++i) {
           AirlightCase c = draw_photometric_airlight_case(random, mode, random.pick(kLampLegs));
           if (is_spot) turn_into_spot(random, c);
           c.atmosphere.phase = phase;
@@ -676,7 +676,7 @@ TEST(Airlight, FastFormHasItsStatedErrorsForNearlyLevelRaysInLayers) {
   for (const bool is_spot : {false, true}) {
     WorstError error("airlight", is_spot ? "spots, nearly level rays" : "points, nearly level rays",
                      is_spot ? kLayeredAirlightMaxError : kShapedAirlightMaxError, "of the colour");
-    for (int i = 0; i < 3000; ++i) {
+    for (int i = 0; i < scaled_count(3000); ++i) {
       AirlightCase c = draw_layered_airlight_case(random, is_spot);
       const glm::dvec3 to_light = c.light.position - c.ray.origin;
       const double approach = glm::dot(to_light, c.ray.direction);
@@ -730,7 +730,7 @@ TEST(Airlight, FastFormHasItsStatedErrorsForLampsInLayers) {
       const double bound = is_point && !is_isotropic ? kShapedAirlightMaxError : kLayeredAirlightMaxError;
       WorstError error("airlight", std::string(facts.name) + (is_isotropic ? " in isotropic layers" : " in layers"),
                        bound, "of the colour");
-      for (int i = 0; i < 3000; ++i) {
+      for (int i = 0; i < scaled_count(3000); ++i) {
         AirlightCase c = draw_lamp_in_layer(random, random.chance(0.3), random.pick(kLampLegs));
         turn_into_spot(random, c);
         if (is_point || random.chance(0.5)) c.light.light.cone = facts.first;
@@ -749,7 +749,7 @@ TEST(Airlight, FastFormHasItsStatedErrorsForPhotometricLampsInLayers) {
   for (const bool is_spot : {false, true}) {
     WorstError error("airlight", is_spot ? "photometric spots in layers" : "photometric points in layers",
                      kPhotometricAirlightMaxError, "of the airlight");
-    for (int i = 0; i < 6000; ++i) {
+    for (int i = 0; i < scaled_count(6000); ++i) {
       AirlightCase c = draw_lamp_in_layer(random, true, LampLeg::fogged);
       if (is_spot) turn_into_spot(random, c);
       if (random.chance(0.7)) {
@@ -829,7 +829,7 @@ TEST(Airlight, FastFormHasItsStatedErrorForEveryProfile) {
   Random random(73);
   for (const ConeProfileFacts& facts : kConeProfiles) {
     WorstError error("airlight", facts.name, kAirlightMaxError, "of the colour");
-    for (int i = 0; i < 500; ++i) {
+    for (int i = 0; i < scaled_count(500); ++i) {
       AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
       c.light.light.cone = facts.first;
       error.add(std::abs(airlight_of(c) - reference_of(c)), [&] { return to_string(c); });
@@ -842,7 +842,7 @@ TEST(Airlight, FastFormHasItsStatedErrorWhereRaysMeetLampsByCoincidence) {
   constexpr int kRays = 20000;
   Random random(83);
   int rays = 0;
-  for (int i = 0; i < kRays; ++i) {
+  for (int i = 0; i < scaled_count(kRays); ++i) {
     const AirlightCase c = draw_coincident_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
     if (runs_along_edge(c)) continue;
     ++rays;
@@ -1028,7 +1028,7 @@ TEST(Airlight, ClearAirOrARayWithoutLengthHasNoAirlight) {
 TEST(AirlightBound, BoundIsNeverBelowTheAirlightOfARayInItsCone) {
   Random random(72);
   int dark = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < scaled_count(20000); ++i) {
     AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
     if (random.chance(0.5)) c.light.light.cone = {};
     if (random.chance(0.3)) c.atmosphere.phase = draw_phase(random);
@@ -1058,7 +1058,7 @@ TEST(AirlightBound, BoundOnAStretchOfARayIsNeverBelowItsAirlight) {
   airlight_text::Text<double, airlight_text::NoCookie> text{airlight_text::NoCookie{}};
   Random random(80);
   std::vector<double> loose;  // bounds over airlights
-  for (int i = 0; i < 40000; ++i) {
+  for (int i = 0; i < scaled_count(40000); ++i) {
     AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
     if (random.chance(0.3)) c.light.light.cone = {};
     const Light& light = c.light.light;
@@ -1080,7 +1080,7 @@ TEST(AirlightBound, BoundOnAStretchOfARayIsNeverBelowItsAirlight) {
 TEST(AirlightBound, BoundOnAWholeRayIsNeverBelowItsAirlight) {
   Random random(81);
   int dark = 0;
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < scaled_count(20000); ++i) {
     const AirlightCase c = draw_airlight_case(random, random.pick(kModes), LampLeg::fogged);
     const Light& light = c.light.light;
     const auto [constant, linear, quadratic] = light.attenuation;
@@ -1153,7 +1153,7 @@ TEST(AirlightBound, WrongHalfAngleIsAnError) {
 
 TEST(LightReach, NothingBeyondTheReachShowsTheBudget) {
   Random random(73);
-  for (int i = 0; i < 20000; ++i) {
+  for (int i = 0; i < scaled_count(20000); ++i) {
     const AirlightCase c = draw_airlight_case(random, random.pick(kModes), LampLeg::fogged);
     const Light& light = c.light.light;
     const LampLeg leg = random.pick(kLampLegs);

@@ -207,7 +207,7 @@ struct ReferenceLights {
 
 TEST_F(Batch, EveryTargetHoldsItsBoundAgainstFiftyDigits) {
   for (const FogMode mode : kModes) {
-    const ReferenceLights lights(mode, 4'003);
+    const ReferenceLights lights(mode, scaled_count(4'003));
     on_every_target([&] {
       const std::string fog = std::string(name_of(mode)) + " fog";
       const auto expect_near_reference = [&]<typename T>(Columns<T> columns, const char* precision) {

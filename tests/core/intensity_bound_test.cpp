@@ -35,7 +35,7 @@ TEST(IntensityBound, BoundIsNeverBelowTheIntensityOfOrdinaryLights) {
   int dim = 0;
   int found = 0;
   double excess = 0;
-  for (int i = 0; i < 1000000; ++i) {
+  for (int i = 0; i < scaled_count(1000000); ++i) {
     const SolveCase c = draw_ordinary_case(random, random.pick(kModes));
     const double bound = IntensityBound(c.attenuation, c.threshold).at(c.fog);
     const double intensity = solve_fog_intensity(c.attenuation, c.fog, c.threshold).intensity;
@@ -52,7 +52,7 @@ TEST(IntensityBound, BoundIsNeverBelowTheIntensityOfOrdinaryLights) {
 
 TEST(IntensityBound, BoundIsNeverBelowTheIntensityOfAnyLight) {
   Random random(42);
-  for (int i = 0; i < 1000000; ++i) {
+  for (int i = 0; i < scaled_count(1000000); ++i) {
     const SolveCase c = draw_wide_case(random, random.pick(kModes));
     const double bound = IntensityBound(c.attenuation, c.threshold).at(c.fog);
     ASSERT_GE(bound, solve_fog_intensity(c.attenuation, c.fog, c.threshold).intensity) << to_string(c);
@@ -63,7 +63,7 @@ TEST(IntensityBound, BoundIsNeverBelowTheIntensityOfAnyLight) {
 TEST(IntensityBound, BoundExceedsTheIntensityByLessThanHalfTheOpticalDepthOfTheExtent) {
   Random random(43);
   int checked = 0;
-  for (int i = 0; i < 300000; ++i) {
+  for (int i = 0; i < scaled_count(300000); ++i) {
     SolveCase c = draw_ordinary_case(random, random.pick(kModes));
     c.fog.density = random.log_uniform(1e-7, 1) / compute_extent(c.attenuation, c.threshold);
     if (!std::isfinite(c.fog.density)) continue;

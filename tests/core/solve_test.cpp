@@ -59,7 +59,7 @@ void check_family(const char* range, const Draw& draw, int count = 4000) {
   for (const FogMode mode : kModes) {
     SolveErrors errors(std::string(", ") + name_of(mode), range);
     Random random(2004);
-    for (int i = 0; i < count; ++i) {
+    for (int i = 0; i < scaled_count(count); ++i) {
       const SolveCase c = draw(random, mode);
       errors.add(c, solve_reference(c.attenuation, c.fog, c.threshold));
     }
@@ -207,7 +207,7 @@ TEST(SolveFogIntensity, SinglePrecisionSolutionIsTheRoundedDouble) {
   WorstError intensity("intensity, float", "ordinary and all floats", kIntensityMaxUlp<float>);
   WorstError extent_error("extent, float", "ordinary and all floats", kExtentMaxUlp<float>);
   Random random(8);
-  for (int i = 0; i < 8000; ++i) {
+  for (int i = 0; i < scaled_count(8000); ++i) {
     const FogMode mode = random.pick(kModes);
     const SolveCase drawn = draw_ordinary_case(random, mode);
     const bool is_ordinary = random.chance(0.5);

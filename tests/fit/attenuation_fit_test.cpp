@@ -150,7 +150,7 @@ TEST(AttenuationFit, NoSearchFromManyStartsFindsABetterFit) {
   Random random(6);
   WorstError excess("objective", "above the best of 8 random descents a face", 1e-7, "relative");
   WorstError boxes("boxes", "examined for a proof", 3000, "");
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < scaled_count(200); ++i) {
     const double far = random.log_uniform(1, 5000);
     Attenuation light = draw_light(random, far, random.chance(0.5));
     if (random.chance(0.2)) light.constant = 0;
@@ -183,7 +183,7 @@ TEST(AttenuationFit, NoSearchFromManyStartsFindsABetterFit) {
 TEST(AttenuationFit, EveryExtentIsMetExactly) {
   Random random(7);
   WorstError error("extent", "1e-29..1e29 m, t 1e-6..0.99", 1e-12, "relative");
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < scaled_count(3000); ++i) {
     AttenuationTarget target{.threshold = random.chance(0.5) ? 0.05 : random.log_uniform(1e-6, 0.99),
                              .extent = random.log_uniform(1e-29, 1e29)};
     const double top = 1 / target.threshold;
@@ -207,7 +207,7 @@ TEST(AttenuationFit, EveryExtentIsMetExactly) {
 TEST(AttenuationFit, EveryTargetThatIsAcceptedIsFitted) {
   Random random(13);
   WorstError error("extent", "accepted targets of all magnitudes", 1e-12, "relative");
-  for (int i = 0; i < 400; ++i) {
+  for (int i = 0; i < scaled_count(400); ++i) {
     const AttenuationTarget target = draw_attenuation_target(random);
     if (find_error(target)) continue;
     const AttenuationFit fit = fit_attenuation(target);
@@ -235,7 +235,7 @@ TEST(AttenuationFit, ExtentAloneHasItsClosedForms) {
 TEST(AttenuationFit, LightOfAnEndHasItsCandelaAndItsIlluminanceThere) {
   Random random(40);
   WorstError error("candela(light)", "1e-3..1e8 cd, 1e-8..1e3 lx, t 1e-6..0.99", kLightEndMaxError, "relative");
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < scaled_count(3000); ++i) {
     const double peak = random.log_uniform(1e-3, 1e8), lux = random.log_uniform(1e-8, 1e3);
     const double threshold = random.chance(0.5) ? kDefaultThreshold : random.log_uniform(1e-6, 0.99);
     const auto [size, extent] = compute_end(peak, lux, threshold);

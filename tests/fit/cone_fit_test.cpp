@@ -122,7 +122,7 @@ TEST(ConeFit, BothProfilesHaveTheirGlobalOptimum) {
   WorstError smoothstep_excess("smoothstep objective", "above that of a grid and pattern search", 1e-3, "relative");
   WorstError kkt("KKT residual", "60 beams, both profiles", 1e-5, "");
   WorstError boxes("boxes", "examined for a proof", 1000, "");
-  for (int i = 0; i < 60; ++i) {
+  for (int i = 0; i < scaled_count(60); ++i) {
     const auto samples = draw_cone_samples(random);
     if (samples.size() < 2) continue;
     SCOPED_TRACE(i);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
@@ -37,6 +38,12 @@ inline std::string to_string(const SolveCase& c) {
   std::snprintf(text, sizeof text, "quadratic %a = %.17g, threshold %a = %.17g", c.attenuation.quadratic,
                 c.attenuation.quadratic, c.threshold, c.threshold);
   return result + text;
+}
+
+/// How many random cases a test draws that draws so many by default: the environment's LITFOG_TEST_SCALE times as many.
+inline int scaled_count(int by_default) {
+  const char* const scale = std::getenv("LITFOG_TEST_SCALE");
+  return scale ? by_default * std::atoi(scale) : by_default;
 }
 
 /// The same values on every machine and library: the standard's engine, no distribution of the library's.

@@ -1009,7 +1009,9 @@ LITFOG_REAL litfog_airlight_along(LitfogAirlight air, LitfogAirlightStretch stre
       LITFOG_REAL thickest = air.density + air.layer_scale * litfog_largest_profile_density();
       scale = min(falloff, max(air.offset, LITFOG_REAL(2.0) / thickest));
     }
-    width = min(width, max(beam_width, LITFOG_REAL(0.01) * scale));
+    // What passes the lamp within this distance adds next to nothing, unless the rest of the ray is at a dim angle.
+    LITFOG_REAL rest = litfog_cone_at(air.profile, max(air.axis_slope, -air.axis_slope), air.cone_x, air.cone_y);
+    width = min(width, max(beam_width, LITFOG_REAL(0.01) * rest * scale));
   }
   LITFOG_REAL largest = litfog_largest_phase(air.phase, LITFOG_REAL(0.0), LITFOG_REAL(2.0));
   if (is_layered) {
