@@ -66,9 +66,19 @@ class WindowCommand : public CommandTest {
     server_ = start(fmt::format("{} -displayfd 3 3>display -screen 0 {}x{}x24 -fbdir . -nolisten tcp >xvfb 2>&1",
                                 LITFOG_XVFB, kWidth, kHeight));
     ASSERT_TRUE(wait_for([this] { return read("display").ends_with('\n'); })) << read("xvfb");
+    start_on_display(arguments);
+  }
+
+  void start_on_display(const std::string& arguments) {
     window_ = start(fmt::format("XDG_CONFIG_HOME=$(pwd) DISPLAY=:{} {} window {} >said 2>window-errors",
                                 read("display").substr(0, read("display").size() - 1), LITFOG_DEMO_PATH, arguments));
     steer("search --sync --onlyvisible --name litfog");
+  }
+
+  void end_window() {
+    kill(window_, SIGTERM);
+    const std::string search = "DISPLAY=:$(cat display) " LITFOG_XDOTOOL " search --onlyvisible --name litfog >xdotool";
+    EXPECT_TRUE(wait_for([&] { return shell(search) != 0; }));
   }
 
   void steer(const std::string& events) const {
@@ -302,6 +312,28 @@ TEST_F(WindowCommand, ScenesAreOpenedAndReadAgainAndPanelsKeepTheirSizes) {
       "mouseup 1");
   EXPECT_TRUE(wait_for([this] { return read("litfog/window.ini").find("Size=37") != std::string::npos; }))
       << read("litfog/window.ini");
+}
+
+TEST_F(WindowCommand, WindowOpensInTheSizeThatItLastHadOrInTheOneGiven) {
+  if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
+  write("yard.json", kScene);
+  const auto has_size = [this](const std::string& size) {
+    return wait_for([&] {
+      steer("search --onlyvisible --name litfog getwindowgeometry");
+      return has(read("xdotool"), "Geometry: " + size + "\n");
+    });
+  };
+  start_window("yard.json --size 900x440");
+  EXPECT_TRUE(has_size("900x440")) << read("xdotool");
+  steer("search --onlyvisible --name litfog windowsize 700 400");
+  EXPECT_TRUE(wait_for([this] { return has(read("litfog/window.ini"), "Size=700,400\n"); }))
+      << read("litfog/window.ini");
+  end_window();
+  start_on_display("yard.json");
+  EXPECT_TRUE(has_size("700x400")) << read("xdotool");
+  end_window();
+  start_on_display("yard.json --size 640x360");
+  EXPECT_TRUE(has_size("640x360")) << read("xdotool");
 }
 
 TEST_F(WindowCommand, WindowWithoutADisplayIsAMissingCapability) {
