@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -239,6 +240,44 @@ TEST_F(WindowCommand, FalseColorsKeysAndThePickedLampAreDrawnAndTakenAway) {
   click(338, 200);
   steer("mousemove 20 470");
   EXPECT_EQ(changed_picture(), 0);
+}
+
+TEST_F(WindowCommand, HistogramShowsTheLightOfThePictureThatItsCommandDraws) {
+  if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
+  write("yard.json", kScene);
+  start_window(fmt::format("yard.json --exposure 2 --size {}x{}", kWidth, kHeight));
+  steer("key ctrl+p");
+  next_line();  // the whole picture is drawn
+  steer("mousemove 150 300 sleep 0.2 click --repeat 20 --delay 100 5 sleep 0.5 mousemove 20 470 sleep 0.5 key ctrl+c");
+  std::string command = next_line();
+  const std::string exposure = " --exposure 2";
+  ASSERT_TRUE(has(command, exposure)) << command;
+  command.erase(command.find(exposure), exposure.size());  // a file of light has none
+  ASSERT_EQ(run(command.substr(command.find(' ')) + " -o light.exr").status, kDone) << command << read("err");
+  OIIO::ImageBuf image((directory() / "light.exr").string());
+  ASSERT_EQ(image.nchannels(), 3) << image.geterror();
+  std::vector<float> light(std::size_t(image.spec().image_pixels()) * 3);
+  ASSERT_TRUE(image.get_pixels(image.roi(), OIIO::TypeDesc::FLOAT, light.data())) << image.geterror();
+  std::array<int, 64> counts{};  // a quarter of an EV each, from -12 to 4 EV above white
+  for (std::size_t i = 0; i < light.size(); i += 3) {
+    const double luminance = 0.2126 * double(light[i]) + 0.7152 * double(light[i + 1]) + 0.0722 * double(light[i + 2]);
+    ++counts[std::size_t(std::clamp((std::log2(luminance) + 2 + 12) * 4, 0., 63.))];
+  }
+  const int most = std::ranges::max(counts);
+  // Inside its frame, where the panel is scrolled to its end.
+  constexpr double kLeft = 16, kRight = 295;
+  constexpr int kTop = 246, kBottom = 282;
+  const Screen shown = screen();
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const int x = int(kLeft + (kRight - kLeft) * (double(i) + 0.5) / double(counts.size()));
+    int height = 0;
+    for (int y = kTop - 3; y < kBottom + 3; ++y) {
+      const auto [red, green, blue] = shown.pixel(x, y);
+      height += red > 150 && blue < 80;  // a bar's yellow
+    }
+    EXPECT_NEAR(height, (kBottom - kTop) * double(counts[i]) / most, 1.5) << "bar " << i;  // whole pixels at both ends
+  }
+  EXPECT_GT(std::ranges::count_if(counts, [most](int count) { return count > most / 10; }), 8) << "its bars differ";
 }
 
 TEST_F(WindowCommand, KeysFlyToAWallAndNotThroughIt) {
