@@ -454,7 +454,7 @@ ExitStatus show(const CLI::App& app, Options& options) {
   check_options(app, drawing::drawing_rules(options.drawing));
   scene::Scene scene = drawing::read_scene(options.scene);
   drawing::check_scene_options(app, scene);
-  Window window("litfog", options.drawing.width, options.drawing.height);
+  Window window("litfog", options.drawing.width, options.drawing.height, app.count("--size") == 0);
   App shown(options.scene, std::move(scene), options.drawing);
   while (!window.is_closed()) {
     window.wait(shown.rest());

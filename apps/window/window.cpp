@@ -7,10 +7,13 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>  // ImGuiSettingsHandler
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "command/exit_status.h"
@@ -27,6 +30,41 @@ constexpr int kSettlingFrames = 3;
   const char* reason = nullptr;
   glfwGetError(&reason);
   throw command::MissingCapability(sentence + (reason ? std::string(": ") + reason : ""));
+}
+
+/// A size, limited to the display's.
+std::pair<int, int> fitted(int width, int height) {
+  GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+  if (!monitor) return {width, height};
+  int left, top, most_width, most_height;
+  glfwGetMonitorWorkarea(monitor, &left, &top, &most_width, &most_height);
+  return {std::min(width, most_width), std::min(height, most_height)};
+}
+
+/// Lets ImGui keep the window's size with its layout, and the window take it from there.
+void keep_size(GLFWwindow* window, bool is_taken) {
+  using Handler = ImGuiSettingsHandler;
+  Handler size;
+  size.TypeName = "Display";
+  size.TypeHash = ImHashStr(size.TypeName);
+  size.UserData = window;
+  size.ReadOpenFn = [](ImGuiContext*, Handler* handler, const char*) { return handler->UserData; };
+  size.ReadLineFn = [](ImGuiContext*, Handler*, void*, const char*) {};
+  if (is_taken) {
+    size.ReadLineFn = [](ImGuiContext*, Handler*, void* taker, const char* line) {
+      int width, height;
+      if (std::sscanf(line, "Size=%d,%d", &width, &height) != 2 || width < 1 || height < 1) return;
+      std::tie(width, height) = fitted(width, height);
+      glfwSetWindowSize(static_cast<GLFWwindow*>(taker), width, height);
+    };
+  }
+  size.WriteAllFn = [](ImGuiContext*, Handler* handler, ImGuiTextBuffer* text) {
+    int width, height;
+    glfwGetWindowSize(static_cast<GLFWwindow*>(handler->UserData), &width, &height);
+    text->appendf("[%s][window]\nSize=%d,%d\n\n", handler->TypeName, width, height);
+  };
+  ImGui::GetCurrentContext()->SettingsHandlers.push_back(size);
+  glfwSetWindowSizeCallback(window, [](GLFWwindow*, int, int) { ImGui::MarkIniSettingsDirty(); });
 }
 
 void set_style(float scale) {
@@ -64,18 +102,14 @@ void set_style(float scale) {
 
 }  // namespace
 
-Window::Window(const std::string& title, int width, int height) {
+Window::Window(const std::string& title, int width, int height, bool is_size_kept) {
   if (!glfwInit()) fail("a window needs a display");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  if (GLFWmonitor* const monitor = glfwGetPrimaryMonitor()) {
-    int left, top, most_width, most_height;
-    glfwGetMonitorWorkarea(monitor, &left, &top, &most_width, &most_height);
-    width = std::min(width, most_width);
-    height = std::min(height, most_height);
-  }
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // until it has its size
+  std::tie(width, height) = fitted(width, height);
   window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (!window_) {
     glfwTerminate();
@@ -88,6 +122,9 @@ Window::Window(const std::string& title, int width, int height) {
   ImGuiIO& io = ImGui::GetIO();
   layout_file_ = own_file("window.ini").string();
   io.IniFilename = layout_file_.empty() ? nullptr : layout_file_.c_str();
+  keep_size(window_, is_size_kept);
+  if (io.IniFilename) ImGui::LoadIniSettingsFromDisk(io.IniFilename);
+  glfwShowWindow(window_);
   float scale = 1;
   glfwGetWindowContentScale(window_, &scale, nullptr);
   set_style(scale);

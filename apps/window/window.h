@@ -14,8 +14,9 @@ namespace litfog::window {
 class Window {
  public:
   /// width, height  in the display's units; limited to the display's size
+  /// is_size_kept   whether the size that the last window had at its end is taken instead, if there was one
   /// throws         command::MissingCapability if there is no display or no OpenGL 3.3 on it
-  Window(const std::string& title, int width, int height);
+  Window(const std::string& title, int width, int height, bool is_size_kept);
   ~Window();
   Window(const Window&) = delete;
   Window& operator=(const Window&) = delete;

@@ -46,6 +46,8 @@ struct Phase {
 /// more than 1e-6 in a parameter, relatively.
 std::optional<double> droplet_diameter(const Phase& phase);
 
+/// What is wrong with a lobe, or nothing.
+std::optional<ValueError> find_error(const PhaseLobe& lobe);
 /// What is wrong with a phase function, or nothing. The functions below take those with which nothing is.
 std::optional<ValueError> find_error(const Phase& phase);
 

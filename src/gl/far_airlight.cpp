@@ -126,9 +126,7 @@ void FarAirlight::draw(const View& view, const Atmosphere& atmosphere, const Fog
   glUniform1f(sum.uniform("depth"), float(depth));
   glUniform1i(sum.uniform("lights"), GLint(lights));
   glUniform1i(sum.uniform("lights_at_once"), kLightsAtOnce);
-  glUniform1i(sum.uniform("litfog_kind_buffer"), kUnit);
-  glUniform1i(sum.uniform("litfog_instance_buffer"), kUnit + 1);
-  tables.bind_textures(kUnit, kUnit + 1);
+  tables.bind_textures(sum, kUnit, kUnit + 1);
   fog_block_.bind(sum, kBlockBinding);
 
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());

@@ -25,6 +25,12 @@ void FogLightTables::bind_textures(unsigned kind_unit, unsigned instance_unit) c
   instances_.bind_texture(instance_unit);
 }
 
+void FogLightTables::bind_textures(const Program& program, unsigned kind_unit, unsigned instance_unit) const {
+  glUniform1i(program.uniform("litfog_kind_buffer"), GLint(kind_unit));
+  glUniform1i(program.uniform("litfog_instance_buffer"), GLint(instance_unit));
+  bind_textures(kind_unit, instance_unit);
+}
+
 void FogLightTables::bind_storage(unsigned kind_binding, unsigned instance_binding) const {
   kinds_.bind_storage(kind_binding);
   instances_.bind_storage(instance_binding);

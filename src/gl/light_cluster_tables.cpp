@@ -13,4 +13,9 @@ void LightClusterTables::upload(const LightClusters& clusters) {
   table_.upload(std::as_bytes(table), {&all, 1});
 }
 
+void LightClusterTables::bind_texture(const Program& program, unsigned unit) const {
+  glUniform1i(program.uniform("litfog_cluster_buffer"), GLint(unit));
+  bind_texture(unit);
+}
+
 }  // namespace litfog::gl

@@ -36,13 +36,15 @@ std::optional<double> droplet_diameter(const Phase& phase) {
   return is_found ? std::optional(diameter) : std::nullopt;
 }
 
+std::optional<ValueError> find_error(const PhaseLobe& lobe) {
+  if (!(lobe.asymmetry > -1 && lobe.asymmetry < 1)) return ValueError{"asymmetry", lobe.asymmetry, kAsymmetryRule};
+  if (!(lobe.alpha >= 0 && lobe.alpha <= 1e6)) return ValueError{"alpha", lobe.alpha, "must be in [0, 1e6]"};
+  return std::nullopt;
+}
+
 std::optional<ValueError> find_error(const Phase& phase) {
-  for (const PhaseLobe& lobe : {phase.first, phase.second}) {
-    if (!(lobe.asymmetry > -1 && lobe.asymmetry < 1)) {
-      return ValueError{"asymmetry", lobe.asymmetry, kAsymmetryRule};
-    }
-    if (!(lobe.alpha >= 0 && lobe.alpha <= 1e6)) return ValueError{"alpha", lobe.alpha, "must be in [0, 1e6]"};
-  }
+  if (const auto error = find_error(phase.first)) return error;
+  if (const auto error = find_error(phase.second)) return error;
   if (!(phase.weight >= 0 && phase.weight <= 1)) return ValueError{"weight", phase.weight, "must be in [0, 1]"};
   return std::nullopt;
 }

@@ -4,7 +4,7 @@ import enum
 import os
 import pathlib
 from collections.abc import Sequence
-from typing import Any, Final, Literal, overload
+from typing import Any, Final, Literal, Self, overload
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -83,8 +83,9 @@ _LampLeg = LampLeg | Literal["clear", "fogged"]
 _AttenuationFamily = AttenuationFamily | Literal["quadratic", "linear", "mixed"]
 
 class Fog:
-    mode: FogMode
-    density: float
+    mode: Final[FogMode]
+    density: Final[float]
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(self, mode: _FogMode = ..., density: float = 0.0) -> None: ...
     @staticmethod
     def from_visibility(mode: _FogMode, metres: float, contrast: float = ...) -> Fog: ...
@@ -94,14 +95,16 @@ class Fog:
     ) -> Fog: ...
 
 class PhaseLobe:
-    asymmetry: float
-    alpha: float
+    asymmetry: Final[float]
+    alpha: Final[float]
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(self, asymmetry: float = 0.0, alpha: float = 0.0) -> None: ...
 
 class Phase:
-    first: PhaseLobe
-    second: PhaseLobe
-    weight: float
+    first: Final[PhaseLobe]
+    second: Final[PhaseLobe]
+    weight: Final[float]
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(self, first: PhaseLobe = ..., second: PhaseLobe = ..., weight: float = 1.0) -> None: ...
     @staticmethod
     def henyey_greenstein(asymmetry: float) -> Phase: ...
@@ -109,27 +112,30 @@ class Phase:
     def droplets(micrometres: float) -> Phase: ...
 
 class FogLayer:
-    base: float
-    top: float
-    transition: float
-    visibility: float
+    base: Final[float]
+    top: Final[float]
+    transition: Final[float]
+    visibility: Final[float]
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(
         self, base: float = ..., top: float = ..., transition: float = 0.0, visibility: float = ...
     ) -> None: ...
 
 class DensityProfile:
-    knots: Sequence[tuple[float, float]]
+    knots: Final[tuple[tuple[float, float], ...]]
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(self, knots: Sequence[tuple[float, float]] = ...) -> None: ...
     @staticmethod
     def from_layers(layers: Sequence[FogLayer], contrast: float = ...) -> DensityProfile: ...
 
 class Atmosphere:
-    fog: Fog
-    phase: Phase
-    albedo: float
-    top: float
-    ambient_fog_color: Sequence[float]
-    profile: DensityProfile
+    fog: Final[Fog]
+    phase: Final[Phase]
+    albedo: Final[float]
+    top: Final[float]
+    ambient_fog_color: Final[Sequence[float]]
+    profile: Final[DensityProfile]
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(
         self,
         fog: Fog = ...,
@@ -142,17 +148,19 @@ class Atmosphere:
     def fog_between(self, height_a: float, height_b: float) -> Fog: ...
 
 class Attenuation:
-    constant: float
-    linear: float
-    quadratic: float
+    constant: Final[float]
+    linear: Final[float]
+    quadratic: Final[float]
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(self, constant: float = 1.0, linear: float = 0.0, quadratic: float = 0.0) -> None: ...
 
 class Cone:
-    profile: ConeProfile
-    half_angle: float
-    exponent: float
-    inner: float
-    outer: float
+    profile: Final[ConeProfile]
+    half_angle: Final[float]
+    exponent: Final[float]
+    inner: Final[float]
+    outer: Final[float]
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(
         self,
         profile: _ConeProfile = ...,
@@ -167,19 +175,21 @@ class Cone:
     def smoothstep(inner: float, outer: float) -> Cone: ...
 
 class Flash:
-    period: float
-    flashes: Sequence[tuple[float, float, float]]
+    period: Final[float]
+    flashes: Final[tuple[tuple[float, float, float], ...]]
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(self, period: float = 0.0, flashes: Sequence[tuple[float, float, float]] = ...) -> None: ...
 
 class Light:
-    name: str
-    color: Sequence[float]
-    attenuation: Attenuation
-    threshold: float
-    cone: Cone
-    density_scale: float
-    source_radius: float
-    flash: Flash
+    name: Final[str]
+    color: Final[Sequence[float]]
+    attenuation: Final[Attenuation]
+    threshold: Final[float]
+    cone: Final[Cone]
+    density_scale: Final[float]
+    source_radius: Final[float]
+    flash: Final[Flash]
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(
         self,
         name: str = "",
@@ -196,10 +206,11 @@ def photometric(light: Light | str) -> Light: ...
 def candela(light: Light | str) -> Sequence[float]: ...
 
 class PlacedLight:
-    light: Light
-    position: Sequence[float]
-    direction: Sequence[float]
-    carried: bool
+    light: Final[Light]
+    position: Final[Sequence[float]]
+    direction: Final[Sequence[float]]
+    carried: Final[bool]
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(
         self,
         light: Light | str,
@@ -209,6 +220,7 @@ class PlacedLight:
     ) -> None: ...
 
 class FogIntensity:
+    def replace(self, **fields: Any) -> Self: ...
     def __init__(self, intensity: float, peak_range: float, extent: float, status: SolveStatus) -> None: ...
     intensity: Final[float]
     peak_range: Final[float]

@@ -86,11 +86,7 @@ void bind_files(py::module_& m) {
       py::arg("path"), py::arg("light"), py::arg("source") = std::vector<std::string>(),
       "Writes a light file atomically. source: a line, or lines, saying where the figures are from. OutputError.");
   m.def(
-      "format_light",
-      [](const Light& light, const Source& source) {
-        require(find_error(light));
-        return format_light(light, lines_of(source));
-      },
+      "format_light", [](const Light& light, const Source& source) { return format_light(light, lines_of(source)); },
       py::arg("light"), py::arg("source") = std::vector<std::string>(), "A light as the text of its file.");
 }
 

@@ -51,8 +51,14 @@ std::string fields_text(const py::object& object, const std::vector<std::string>
 }
 
 template <typename Function>
-void add_method(const py::object& type, const char* name, const Function& method) {
-  type.attr(name) = py::cpp_function(method, py::name(name), py::is_method(type));
+void add_method(const py::object& type, const char* name, const Function& method, const char* text = "") {
+  type.attr(name) = py::cpp_function(method, py::name(name), py::is_method(type), text);
+}
+
+py::tuple values_of(const py::object& record, const std::vector<std::string>& fields) {
+  py::tuple values(fields.size());
+  for (std::size_t i = 0; i < fields.size(); ++i) values[i] = record.attr(fields[i].c_str());
+  return values;
 }
 
 PyTypeObject* instance_base() { return reinterpret_cast<PyTypeObject*>(py::detail::get_internals().instance_base); }
@@ -132,25 +138,32 @@ void close_classes(const py::module_& m) {
 
 void make_record(const py::object& type, std::initializer_list<const char*> names) {
   const std::vector<std::string> fields(names.begin(), names.end());
-  const auto add = [&type](const char* name, auto&& method) { add_method(type, name, method); };
-  add("__eq__", [fields](const py::object& self, const py::object& other) -> py::object {
+  add_method(type, "__eq__", [fields](const py::object& self, const py::object& other) -> py::object {
     if (!py::type::of(self).is(py::type::of(other))) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-    const auto is_same = [&](const std::string& field) {
-      return self.attr(field.c_str()).equal(other.attr(field.c_str()));
-    };
-    return py::bool_(std::ranges::all_of(fields, is_same));
+    return py::bool_(values_of(self, fields).equal(values_of(other, fields)));
   });
-  type.attr("__hash__") = py::none();  // its fields can change
-  add("__repr__", [fields](const py::object& self) { return name_of(self) + "(" + fields_text(self, fields) + ")"; });
+  add_method(type, "__hash__", [fields](const py::object& self) { return py::hash(values_of(self, fields)); });
+  add_method(type, "__repr__",
+             [fields](const py::object& self) { return name_of(self) + "(" + fields_text(self, fields) + ")"; });
+  add_method(
+      type, "replace",
+      [fields](const py::object& self, const py::kwargs& changes) {
+        py::dict values;
+        for (const std::string& field : fields) values[field.c_str()] = self.attr(field.c_str());
+        for (const auto& [field, value] : changes) {
+          if (!values.contains(field)) throw py::type_error(name_of(self) + " has no field " + str_of(py::str(field)));
+          values[field] = value;
+        }
+        return py::type::of(self)(**values);
+      },
+      "A copy with other values of the fields named, checked like a new one.");
   make_picklable(type, names);
 }
 
 void make_picklable(const py::object& type, std::initializer_list<const char*> names) {
   const std::vector<std::string> fields(names.begin(), names.end());
   add_method(type, "__reduce__", [fields](const py::object& self) {
-    py::tuple values(fields.size());
-    for (std::size_t i = 0; i < fields.size(); ++i) values[i] = self.attr(fields[i].c_str());
-    return py::make_tuple(self.attr("__class__"), values);
+    return py::make_tuple(self.attr("__class__"), values_of(self, fields));
   });
 }
 
@@ -370,14 +383,13 @@ py::object along_rays(const py::object& rays, const py::object& out, const Call&
   return out.is_none() && shape.empty() ? numbers.attr("item")() : numbers;
 }
 
-/// light and atmosphere by value: other threads may change the caller's while this one runs.
-py::object airlights_of(PlacedLight light, Atmosphere atmosphere, const py::object& rays, LampLeg lamp_leg,
-                        const py::object& out) {
+py::object airlights_of(const PlacedLight& light, const Atmosphere& atmosphere, const py::object& rays,
+                        LampLeg lamp_leg, const py::object& out) {
   return along_rays(rays, out, [&](auto from, auto to) { airlight(light, atmosphere, from, lamp_leg, to); });
 }
 
-py::object directional_airlights_of(Atmosphere atmosphere, const Given<glm::dvec3>& to_light, const py::object& rays,
-                                    const py::object& out) {
+py::object directional_airlights_of(const Atmosphere& atmosphere, const Given<glm::dvec3>& to_light,
+                                    const py::object& rays, const py::object& out) {
   const glm::dvec3 direction = to_light.value("to_light");
   return along_rays(rays, out, [&](auto from, auto to) { directional_airlight(atmosphere, direction, from, to); });
 }
@@ -397,8 +409,8 @@ ScatteringTable take_table(const py::object& table) {
   return copy;
 }
 
-py::object scattering_along(PlacedLight light, Atmosphere atmosphere, const py::object& table, const py::object& rays,
-                            const py::object& out) {
+py::object scattering_along(const PlacedLight& light, const Atmosphere& atmosphere, const py::object& table,
+                            const py::object& rays, const py::object& out) {
   const ScatteringTable copy = take_table(table);
   return along_rays(rays, out, [&](auto from, auto to) { multiple_scattering(light, atmosphere, copy, from, to); });
 }
@@ -438,8 +450,8 @@ Numbers<double> take_vectors(const py::object& object, const std::string& name, 
   return vectors;
 }
 
-py::array_t<double> scattered_lights_of(PlacedLight light, ScatteringSource source, Atmosphere atmosphere,
-                                        const py::object& positions) {
+py::array_t<double> scattered_lights_of(const PlacedLight& light, const ScatteringSource& source,
+                                        const Atmosphere& atmosphere, const py::object& positions) {
   const Numbers<double> from = take_vectors(positions, "positions", 3);
   std::vector<py::ssize_t> shape{from.shape(), from.shape() + from.ndim()};
   shape.back() = 4;
@@ -525,7 +537,7 @@ double require_range(double range) { return require_rule(range >= 0, "range", ra
 /// function(value, number) for a number or for each of an array of them, which is the argument of this name.
 template <typename Value, typename Function>
 auto over_numbers(const char* name, const Function& function) {
-  return [name, function](Value value, const py::object& numbers) {
+  return [name, function](const Value& value, const py::object& numbers) {
     const auto of_number = [&](double number) { return function(value, number); };
     return py::vectorize(of_number)(take_numbers(numbers, name));
   };
@@ -575,7 +587,9 @@ void bind_lights(py::module_& m) {
   bind_record<Phase>(m, "Phase", "A phase function of two lobes; by default isotropic.",
                      field("first", &Phase::first, "PhaseLobe"), field("second", &Phase::second, "PhaseLobe"),
                      field("weight", &Phase::weight, "[0, 1], of the first lobe; the second has the rest"))
-      .def_static("henyey_greenstein", &Phase::henyey_greenstein, py::arg("asymmetry"), "One lobe, g in (-1, 1).")
+      .def_static(
+          "henyey_greenstein", [](double asymmetry) { return require_checked(Phase::henyey_greenstein(asymmetry)); },
+          py::arg("asymmetry"), "One lobe, g in (-1, 1).")
       .def_static("droplets", &Phase::droplets, py::arg("micrometres"),
                   "Fog of water droplets of a diameter, 5 to 50. ValueError with field, value and rule.");
   bind_record<FogLayer>(m, "FogLayer",
@@ -594,14 +608,12 @@ void bind_lights(py::module_& m) {
   const auto knots_of = [](const DensityProfile& profile) {
     Knots pairs;
     for (const auto& [height, density] : profile.used()) pairs.emplace_back(height, density);
-    return pairs;
+    return py::tuple(py::cast(pairs));
   };
   py::class_<DensityProfile> density(m, "DensityProfile",
                                      "Density of exp fog over height: linear between up to 8 knots, constant beyond.");
   density.def(py::init(profile_of), py::arg("knots") = Knots{})
-      .def_property(
-          "knots", knots_of, [profile_of](DensityProfile& changed, const Knots& pairs) { changed = profile_of(pairs); },
-          "(height in metres, density in 1/m) of each; heights rise")
+      .def_property_readonly("knots", knots_of, "(height in metres, density in 1/m) of each; heights rise")
       .def_static(
           "from_layers",
           [](const std::vector<FogLayer>& layers, double contrast) { return make_density_profile(layers, contrast); },
@@ -618,9 +630,7 @@ void bind_lights(py::module_& m) {
       field("profile", &Atmosphere::profile, "DensityProfile: layers, in exp fog only"))
       .def(
           "fog_between",
-          [](const Atmosphere& air, double height_a, double height_b) {
-            return require_checked(air).fog_between(height_a, height_b);
-          },
+          [](const Atmosphere& air, double height_a, double height_b) { return air.fog_between(height_a, height_b); },
           py::arg("height_a"), py::arg("height_b"),
           "Uniform fog of the mean density between two heights: the fog factor of a straight line from one to the\n"
           "other is that in it. At equal heights it is the fog there.");
@@ -670,55 +680,56 @@ void bind_lights(py::module_& m) {
   for (const ConeProfileFacts& facts : kConeProfiles) profile.value(facts.name, facts.profile, facts.meaning);
   py::class_<Cone> cone(m, "Cone", "Angular shape of a light. Angles are radians from the axis (half angles).");
   cone.def(py::init([](ConeProfile profile, double half_angle, double exponent, double inner, double outer) {
-             return Cone{profile, half_angle, exponent, inner, outer};
+             return require_checked(Cone{profile, half_angle, exponent, inner, outer});
            }),
            py::arg("profile") = ConeProfile(), py::arg("half_angle") = 0., py::arg("exponent") = 0.,
            py::arg("inner") = 0., py::arg("outer") = 0.)
-      .def_readwrite("profile", &Cone::profile, "ConeProfile")
-      .def_static("cosine", &Cone::cosine, py::arg("half_angle"), py::arg("exponent"), "A cosine cone (Hales 2004).")
-      .def_static("smoothstep", &Cone::smoothstep, py::arg("inner"), py::arg("outer"),
-                  "The dual cone of the Cg Tutorial.");
+      .def_readonly("profile", &Cone::profile, "ConeProfile")
+      .def_static(
+          "cosine",
+          [](double half_angle, double exponent) { return require_checked(Cone::cosine(half_angle, exponent)); },
+          py::arg("half_angle"), py::arg("exponent"), "A cosine cone (Hales 2004).")
+      .def_static(
+          "smoothstep", [](double inner, double outer) { return require_checked(Cone::smoothstep(inner, outer)); },
+          py::arg("inner"), py::arg("outer"), "The dual cone of the Cg Tutorial.");
   for (const ConeProfileFacts& facts : kConeProfiles) {
     for (const ConeParameter& each : facts.parameters) {
-      cone.def_readwrite(each.name(), each.member, (std::string(facts.name) + ": " + each.meaning).c_str());
+      cone.def_readonly(each.name(), each.member, (std::string(facts.name) + ": " + each.meaning).c_str());
     }
   }
   make_record(cone, {"profile", "half_angle", "exponent", "inner", "outer"});
 
   using FlashTuple = std::tuple<double, double, double>;
-  const auto set_flashes = [](Flash& flash, const std::vector<FlashTuple>& tuples) {
-    if (tuples.size() > kMaxFlashes) fail_count("flashes", tuples.size(), "must be at most 8");
-    flash.count = 0;
-    for (const auto& [start, duration, intensity] : tuples) flash.flashes[flash.count++] = {start, duration, intensity};
-  };
   py::class_<Flash> flash(
       m, "Flash",
       "How a lamp flashes: it is dark except in its flashes, which recur in each period. A lamp without is steady.");
   flash
-      .def(py::init([set_flashes](double period, const std::vector<FlashTuple>& flashes) {
+      .def(py::init([](double period, const std::vector<FlashTuple>& tuples) {
+             if (tuples.size() > kMaxFlashes) fail_count("flashes", tuples.size(), "must be at most 8");
              Flash made{.period = period};
-             set_flashes(made, flashes);
-             return made;
+             for (const auto& [start, duration, intensity] : tuples) {
+               made.flashes[made.count++] = {start, duration, intensity};
+             }
+             return require_checked(made);
            }),
            py::arg("period") = 0., py::arg("flashes") = std::vector<FlashTuple>())
-      .def_readwrite("period", &Flash::period, "seconds, (0, 3600]")
-      .def_property(
+      .def_readonly("period", &Flash::period, "seconds, (0, 3600]")
+      .def_property_readonly(
           "flashes",
           [](const Flash& each) {
             std::vector<FlashTuple> tuples;
             for (const auto& [start, duration, intensity] : std::span(each.flashes).first(each.count)) {
               tuples.emplace_back(start, duration, intensity);
             }
-            return tuples;
+            return py::tuple(py::cast(tuples));
           },
-          set_flashes,
           "At most 8, one after the other: start and duration in seconds, and the factor of the light's colour.");
   make_record(flash, {"period", "flashes"});
   m.def("flash_at",
         over_numbers<Flash>("seconds",
                             [](const Flash& each, double seconds) {
                               require_time(seconds);
-                              return flash_at(require_checked(each), seconds);
+                              return flash_at(each, seconds);
                             }),
         py::arg("flash"), py::arg("seconds"),
         "The factor of the light's colour at times in [0, 1e9]; numbers or arrays.");
@@ -746,30 +757,25 @@ void bind_lights(py::module_& m) {
                                  "by the eye's vehicle: such lights, and only they, light the fog by Hales's term"));
 
   m.def("attenuation_at",
-        over_numbers<Attenuation>("range",
-                                  [](const Attenuation& of, double range) {
-                                    return attenuation_at(require_checked(of), require_range(range));
-                                  }),
+        over_numbers<Attenuation>(
+            "range", [](const Attenuation& of, double range) { return attenuation_at(of, require_range(range)); }),
         py::arg("attenuation"), py::arg("range"),
         "a(r), the fraction of its near brightness that a light has at ranges in metres; numbers or arrays.");
   m.def("fog_factor_at",
-        over_numbers<Fog>(
-            "range",
-            [](const Fog& seen, double range) { return fog_factor_at(require_checked(seen), require_range(range)); }),
+        over_numbers<Fog>("range",
+                          [](const Fog& seen, double range) { return fog_factor_at(seen, require_range(range)); }),
         py::arg("fog"), py::arg("range"),
         "Fog factor f(r), the fraction of light that the fog lets through; numbers or arrays.");
   m.def(
       "opacity_at",
-      over_numbers<Fog>("range", [](const Fog& seen,
-                                    double range) { return opacity_at(require_checked(seen), require_range(range)); }),
+      over_numbers<Fog>("range", [](const Fog& seen, double range) { return opacity_at(seen, require_range(range)); }),
       py::arg("fog"), py::arg("range"),
       "Opacity 1 - f(r), without the cancellation of the plain form; numbers or arrays.");
   m.def(
       "cone_at",
       over_numbers<Cone>("cos_angle",
                          [](const Cone& shape, double cos_angle) {
-                           return cone_at(require_checked(shape),
-                                          require_within(-1, 1, "cos_angle", cos_angle, "must be in [-1, 1]"));
+                           return cone_at(shape, require_within(-1, 1, "cos_angle", cos_angle, "must be in [-1, 1]"));
                          }),
       py::arg("cone"), py::arg("cos_angle"),
       "Fraction of the axial intensity that a cone sends into a direction, by the cosine of its angle from the axis;\n"
@@ -781,8 +787,8 @@ void bind_lights(py::module_& m) {
   m.def("flux_within",
         over_numbers<Cone>("angle",
                            [](const Cone& shape, double angle) {
-                             return flux_within(require_checked(shape), require_within(0, std::numbers::pi, "angle",
-                                                                                       angle, "must be in [0, pi]"));
+                             return flux_within(
+                                 shape, require_within(0, std::numbers::pi, "angle", angle, "must be in [0, pi]"));
                            }),
         py::arg("cone"), py::arg("angle"),
         "Flux in steradians of a cone whose axial intensity is 1, out to angles in radians; numbers or arrays.");
@@ -790,8 +796,7 @@ void bind_lights(py::module_& m) {
         over_numbers<Cone>("level",
                            [](const Cone& shape, double level) {
                              const bool is_kept = level > 0 && level < 1;
-                             return angle_at_level(require_checked(shape),
-                                                   require_rule(is_kept, "level", level, "must be in (0, 1)"));
+                             return angle_at_level(shape, require_rule(is_kept, "level", level, "must be in (0, 1)"));
                            }),
         py::arg("cone"), py::arg("level"),
         "Angle in radians up to which a cone keeps a fraction of its axial intensity; numbers or arrays.");

@@ -110,8 +110,8 @@ struct pybind11::detail::type_caster<litfog::python::Given<T>> {
 
 namespace litfog::python {
 
-/// Gives a class of plain fields equality, a repr() that reads back, and pickling. Its constructor takes the fields in
-/// this order.
+/// Gives a class of read-only fields equality, a hash, a repr() that reads back, replace() and pickling. Its
+/// constructor takes the fields in this order, and refuses what is wrong.
 void make_record(const py::object& type, std::initializer_list<const char*> fields);
 
 /// A member of a struct as a field of its class; its constructor takes the struct's own default where none is required.
@@ -123,9 +123,6 @@ struct Field {
   const char* meaning;
   auto getter() const {
     return [member = member](const Struct& of) -> const T& { return of.*member; };
-  }
-  auto setter() const {
-    return [*this](Struct& of, const Given<T>& given) { of.*member = given.value(name); };
   }
   auto argument() const {
     if constexpr (kIsRequired) {
@@ -140,8 +137,7 @@ Field<kIsRequired, Struct, T> field(const char* name, T Struct::*member, const c
   return {name, member, meaning};
 }
 
-/// A class of a struct that is a record of these fields. Its constructor refuses what find_error() of the struct does;
-/// a field that is assigned is checked where the struct is used, because a rule may span fields that change together.
+/// A class of a struct that is a record of these fields. Its constructor refuses what find_error() of the struct does.
 template <typename Struct, typename... Fields>
 py::class_<Struct> bind_record(py::module_& m, const char* name, const char* meaning, const Fields&... fields) {
   py::class_<Struct> type(m, name, meaning);
@@ -152,7 +148,7 @@ py::class_<Struct> bind_record(py::module_& m, const char* name, const char* mea
     return made;
   };
   type.def(py::init(make), fields.argument()...);
-  (type.def_property(fields.name, fields.getter(), fields.setter(), fields.meaning), ...);
+  (type.def_property_readonly(fields.name, fields.getter(), fields.meaning), ...);
   make_record(type, {fields.name...});
   return type;
 }

@@ -93,9 +93,7 @@ void main() {
     program.use();
     glUniform3f(program.uniform("eye"), float(view_.eye.x), float(view_.eye.y), float(view_.eye.z));
     glUniform1i(program.uniform("lamps"), kFarLamps);
-    glUniform1i(program.uniform("litfog_kind_buffer"), 1);
-    glUniform1i(program.uniform("litfog_instance_buffer"), 2);
-    tables.bind_textures(1, 2);
+    tables.bind_textures(program, 1, 2);
     far.bind(program, 3);
     return FormulaPixels().draw(program, {inputs_});
   }

@@ -38,9 +38,7 @@ void main() {
 }
 )");
     program.use();
-    glUniform1i(program.uniform("litfog_kind_buffer"), 1);
-    glUniform1i(program.uniform("litfog_instance_buffer"), 2);
-    tables.bind_textures(1, 2);
+    tables.bind_textures(program, 1, 2);
     std::vector<glm::vec4> indices;
     for (std::size_t i = 0; i < lights; ++i) {
       for (int field = 0; field < 5; ++field) indices.emplace_back(i, field, 0, 0);

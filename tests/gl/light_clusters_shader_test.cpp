@@ -2,21 +2,28 @@
 #include <epoxy/gl.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <glm/geometric.hpp>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "gl/formula_pixels.h"
 #include "gl/gl_test.h"
+#include "litfog/airlight.h"
+#include "litfog/gl/fog_light_buffer.h"
+#include "litfog/gl/fog_light_tables.h"
 #include "litfog/gl/gl_name.h"
 #include "litfog/gl/light_cluster_tables.h"
+#include "litfog/updater.h"
 #include "reference/random_bounds.h"
 
 namespace litfog::test {
 namespace {
 
+using glm::dvec3;
 using glm::vec4;
 
 constexpr int kListed = 40;     // of a list, that are read
@@ -117,10 +124,9 @@ TEST_F(LightClustersShader, EveryListOfATextureWhoseRowsSplitClustersIsRead) {
 TEST_F(LightClustersShader, PointsOutsideTheViewHaveTheListsOfTheNearestClusters) {
   gl::LightClusterTables tables;
   tables.upload(clusters_);
-  tables.bind_texture(1);
   const gl::Program any = program("");
   any.use();
-  glUniform1i(any.uniform("litfog_cluster_buffer"), 1);
+  tables.bind_texture(any, 1);
   FormulaPixels pixels;
   const auto counts = [&](float x, float y, float depth) {
     return glm::vec2(pixels.draw(any, {{vec4(x, y, depth, 0)}})[0]);
@@ -128,6 +134,78 @@ TEST_F(LightClustersShader, PointsOutsideTheViewHaveTheListsOfTheNearestClusters
   for (const float depth : {0.0f, 1e-30f, 0.05f}) EXPECT_EQ(counts(0.1f, 0.1f, depth), counts(0.1f, 0.1f, 0.2f));
   for (const float depth : {600.0f, 1e30f}) EXPECT_EQ(counts(0.1f, 0.1f, depth), counts(0.1f, 0.1f, 499));
   EXPECT_EQ(counts(-0.5f, 2, 50), counts(0.01f, 0.99f, 50));
+}
+
+TEST_F(LightClustersShader, SumsOverAListAreThoseOfTheLibraryOverAllLights) {
+  Random random(82);
+  const Atmosphere air{.fog = {FogMode::exp, 0.01}};
+  FogUpdater updater;
+  std::vector<PlacedLight> lamps;
+  for (int i = 0; i < 60; ++i) {
+    PlacedLight& lamp = lamps.emplace_back();
+    lamp.light.color = {1, 2, 3};
+    lamp.light.attenuation = {1, 0, 0.05};
+    if (i % 2 == 0) lamp.light.cone = Cone::smoothstep(0.6, 1.2);
+    lamp.position = {random.uniform(-40, 40), random.uniform(2, 6), random.uniform(-90, -5)};
+    lamp.direction = {0, -1, 0};
+    updater.add(lamp);
+  }
+  const FogLightChanges changes = updater.set_fog(air.fog);
+  const double step = 1e-5;
+  updater.bound_lights(clusters_, air, step);
+  clusters_.update(view_);
+  gl::LightClusterTables cluster_tables;
+  cluster_tables.upload(clusters_);
+  gl::FogLightTables tables;
+  tables.upload(updater.kinds(), updater.instances(), changes);
+  gl::FogLightBuffer fog_block;
+  fog_block.upload(pack_fog_header(air, 0));
+  const gl::Program sums = FormulaPixels::program(R"(
+#include "litfog/shaders/light_clusters.glsl"
+#include "test/input.glsl"
+void main() {
+  vec2 place = given(1).xy;
+  vec4 ray = litfog_ray(vec3(0.0), given(0).xyz);
+  result.rg = litfog_listed_surface_light(litfog_lights_at(place, -given(0).z), given(0).xyz, vec3(0.0, 1.0, 0.0)).rb;
+  result.ba = litfog_listed_airlight(litfog_lights_along(place, -given(0).z), vec3(0.0), ray.xyz, ray.w).rb;
+}
+)");
+  sums.use();
+  cluster_tables.bind_texture(sums, 1);
+  tables.bind_textures(sums, 2, 3);
+  fog_block.bind(sums, 0);
+  std::vector<vec4> points;
+  std::vector<vec4> places;
+  for (int i = 0; i < 200; ++i) {
+    const double x = random.uniform(0.01, 0.99), y = random.uniform(0.01, 0.99), depth = random.uniform(2, 100);
+    points.emplace_back(depth * std::lerp(view_.left, view_.right, x), depth * std::lerp(view_.bottom, view_.top, y),
+                        -depth, 0);
+    places.emplace_back(x, y, 0, 0);
+  }
+  const std::vector<vec4> results = FormulaPixels().draw(sums, {points, places});
+  double brightest = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const dvec3 point(points[i]);
+    const EyeRay ray{{0, 0, 0}, glm::normalize(point), glm::length(point)};
+    double surface = 0;
+    double fog = 0;
+    for (const PlacedLight& lamp : lamps) {
+      const double range = glm::distance(lamp.position, point);
+      const dvec3 to_point = (point - lamp.position) / range;
+      const bool reaches = range <= compute_extent(lamp.light.attenuation, lamp.light.threshold);
+      surface += reaches ? attenuation_at(lamp.light.attenuation, range) * fog_factor_at(air.fog, range) *
+                               cone_at(lamp.light.cone, glm::dot(to_point, lamp.direction)) * std::max(-to_point.y, 0.)
+                         : 0;
+      fog += kAirlightUnit * airlight(lamp, air, ray);
+    }
+    // The lists leave out less than the step; the shader's sums are the library's but for the rounding of floats.
+    const vec4 sums_of_library(surface, 3 * surface, fog, 3 * fog);
+    for (int k = 0; k < 4; ++k) {
+      EXPECT_NEAR(results[i][k], sums_of_library[k], 3 * step + 1e-4 * double(sums_of_library[k])) << i << ", " << k;
+    }
+    brightest = std::max(brightest, surface);
+  }
+  EXPECT_GT(brightest, 0.1) << "no point is lit";
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ for dirty in updater.set_fog(fog).kinds:
 covariance = litfog.fit_attenuation(extent=50).covariance
 if covariance is not None:
     covariance.trace()
+updater.add(litfog.PlacedLight(lamp.replace(threshold=0.02)))
+lamp.threshold = 0.02  # type: ignore[misc]
 updater.add(lamp)  # type: ignore[arg-type]
 litfog.Fog("thick")  # type: ignore[arg-type]
 litfog.BatchSolutions(peak_range=np.empty(8))  # type: ignore[call-arg]

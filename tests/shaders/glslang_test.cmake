@@ -56,6 +56,8 @@ vec4 litfog_test() {
   LitfogLightList lights = litfog_lights_at(vec2(0.5), 9.0);
   LitfogLightList along = litfog_lights_along(vec2(0.5), 9.0);
   lit += litfog_light_surface(surface, litfog_buffered_light(litfog_listed_light(lights, along.count)));
+  lit += litfog_listed_surface_light(lights, surface.position, surface.normal) +
+         litfog_listed_airlight(along, vec3(0.0), vec3(0.0, 0.0, 1.0), 9.0);
   vec4 layers[litfog_far_slabs];
   litfog_sum_far_airlight(0, 9, vec3(0.0), vec3(0.0, 0.0, 1.0), 9.0, layers);
   lit += layers[7].rgb + litfog_far_airlight(vec2(0.5), vec3(0.0), vec3(0.0, 0.0, 1.0), 9.0);

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <cstdint>
 #include <cstdio>
 #include <string>
@@ -66,9 +67,19 @@ class WindowCommand : public CommandTest {
     server_ = start(fmt::format("{} -displayfd 3 3>display -screen 0 {}x{}x24 -fbdir . -nolisten tcp >xvfb 2>&1",
                                 LITFOG_XVFB, kWidth, kHeight));
     ASSERT_TRUE(wait_for([this] { return read("display").ends_with('\n'); })) << read("xvfb");
+    start_on_display(arguments);
+  }
+
+  void start_on_display(const std::string& arguments) {
     window_ = start(fmt::format("XDG_CONFIG_HOME=$(pwd) DISPLAY=:{} {} window {} >said 2>window-errors",
                                 read("display").substr(0, read("display").size() - 1), LITFOG_DEMO_PATH, arguments));
     steer("search --sync --onlyvisible --name litfog");
+  }
+
+  void end_window() {
+    kill(window_, SIGTERM);
+    const std::string search = "DISPLAY=:$(cat display) " LITFOG_XDOTOOL " search --onlyvisible --name litfog >xdotool";
+    EXPECT_TRUE(wait_for([&] { return shell(search) != 0; }));
   }
 
   void steer(const std::string& events) const {
@@ -231,6 +242,44 @@ TEST_F(WindowCommand, FalseColorsKeysAndThePickedLampAreDrawnAndTakenAway) {
   EXPECT_EQ(changed_picture(), 0);
 }
 
+TEST_F(WindowCommand, HistogramShowsTheLightOfThePictureThatItsCommandDraws) {
+  if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
+  write("yard.json", kScene);
+  start_window(fmt::format("yard.json --exposure 2 --size {}x{}", kWidth, kHeight));
+  steer("key ctrl+p");
+  next_line();  // the whole picture is drawn
+  steer("mousemove 150 300 sleep 0.2 click --repeat 20 --delay 100 5 sleep 0.5 mousemove 20 470 sleep 0.5 key ctrl+c");
+  std::string command = next_line();
+  const std::string exposure = " --exposure 2";
+  ASSERT_TRUE(has(command, exposure)) << command;
+  command.erase(command.find(exposure), exposure.size());  // a file of light has none
+  ASSERT_EQ(run(command.substr(command.find(' ')) + " -o light.exr").status, kDone) << command << read("err");
+  OIIO::ImageBuf image((directory() / "light.exr").string());
+  ASSERT_EQ(image.nchannels(), 3) << image.geterror();
+  std::vector<float> light(std::size_t(image.spec().image_pixels()) * 3);
+  ASSERT_TRUE(image.get_pixels(image.roi(), OIIO::TypeDesc::FLOAT, light.data())) << image.geterror();
+  std::array<int, 64> counts{};  // a quarter of an EV each, from -12 to 4 EV above white
+  for (std::size_t i = 0; i < light.size(); i += 3) {
+    const double luminance = 0.2126 * double(light[i]) + 0.7152 * double(light[i + 1]) + 0.0722 * double(light[i + 2]);
+    ++counts[std::size_t(std::clamp((std::log2(luminance) + 2 + 12) * 4, 0., 63.))];
+  }
+  const int most = std::ranges::max(counts);
+  // Inside its frame, where the panel is scrolled to its end.
+  constexpr double kLeft = 16, kRight = 295;
+  constexpr int kTop = 246, kBottom = 282;
+  const Screen shown = screen();
+  for (std::size_t i = 0; i < counts.size(); ++i) {
+    const int x = int(kLeft + (kRight - kLeft) * (double(i) + 0.5) / double(counts.size()));
+    int height = 0;
+    for (int y = kTop - 3; y < kBottom + 3; ++y) {
+      const auto [red, green, blue] = shown.pixel(x, y);
+      height += red > 150 && blue < 80;  // a bar's yellow
+    }
+    EXPECT_NEAR(height, (kBottom - kTop) * double(counts[i]) / most, 1.5) << "bar " << i;  // whole pixels at both ends
+  }
+  EXPECT_GT(std::ranges::count_if(counts, [most](int count) { return count > most / 10; }), 8) << "its bars differ";
+}
+
 TEST_F(WindowCommand, KeysFlyToAWallAndNotThroughIt) {
   if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
   std::string walled = kScene;
@@ -302,6 +351,28 @@ TEST_F(WindowCommand, ScenesAreOpenedAndReadAgainAndPanelsKeepTheirSizes) {
       "mouseup 1");
   EXPECT_TRUE(wait_for([this] { return read("litfog/window.ini").find("Size=37") != std::string::npos; }))
       << read("litfog/window.ini");
+}
+
+TEST_F(WindowCommand, WindowOpensInTheSizeThatItLastHadOrInTheOneGiven) {
+  if (!can_be_steered()) GTEST_SKIP() << "litfog-window, Xvfb or xdotool is missing";
+  write("yard.json", kScene);
+  const auto has_size = [this](const std::string& size) {
+    return wait_for([&] {
+      steer("search --onlyvisible --name litfog getwindowgeometry");
+      return has(read("xdotool"), "Geometry: " + size + "\n");
+    });
+  };
+  start_window("yard.json --size 900x440");
+  EXPECT_TRUE(has_size("900x440")) << read("xdotool");
+  steer("search --onlyvisible --name litfog windowsize 700 400");
+  EXPECT_TRUE(wait_for([this] { return has(read("litfog/window.ini"), "Size=700,400\n"); }))
+      << read("litfog/window.ini");
+  end_window();
+  start_on_display("yard.json");
+  EXPECT_TRUE(has_size("700x400")) << read("xdotool");
+  end_window();
+  start_on_display("yard.json --size 640x360");
+  EXPECT_TRUE(has_size("640x360")) << read("xdotool");
 }
 
 TEST_F(WindowCommand, WindowWithoutADisplayIsAMissingCapability) {

@@ -37,23 +37,18 @@ void main() {  // the sky 1,000 m ahead, and over it the ground; the eye looks a
                                                  {"host.frag", R"(
 #include "litfog/shaders/far_airlight.glsl"
 #include "litfog/shaders/light_clusters.glsl"
-const vec3 eye = vec3(0.0, 12.0, 0.0);
+const vec3 eye = vec3(0.0, 12.0, 0.0), up = vec3(0.0, 1.0, 0.0);
 in vec3 position;
 out vec4 color;
 void main() {
   vec4 ray = litfog_ray(eye, position);
   vec2 place = 0.5 - 0.5 * (position - eye).xy / position.z;  // in the picture, from 0 to 1
-  LitfogLightList lights = litfog_lights_at(place, 1.0 / gl_FragCoord.w);
-  float shown = position.y == 0.0 ? 0.5 - 0.5 * litfog_fog_opacity(eye.y, 0.0, ray.w, 1.0) : 0.0;
-  color = vec4(litfog_far_airlight(place, eye, ray.xyz, ray.w), 1.0);
-  for (int i = 0; i < lights.count; ++i) {
-    LitfogLight light = litfog_buffered_light(litfog_listed_light(lights, i));
-    vec4 beam = litfog_ray(light.position_extent.xyz, position);
-    color.rgb += shown * max(-beam.y, 0.0) * litfog_lamp_factor(light, 0.0, beam.w) * litfog_light_along(light, beam);
-  }
-  lights = litfog_lights_along(place, 1.0 / gl_FragCoord.w);
-  for (int i = 0; i < lights.count; ++i)
-    color.rgb += litfog_light_airlight(litfog_buffered_light(litfog_listed_light(lights, i)), eye, ray.xyz, ray.w);
+  float depth = 1.0 / gl_FragCoord.w;
+  vec3 airlight = litfog_listed_airlight(litfog_lights_along(place, depth), eye, ray.xyz, ray.w) +
+                  litfog_far_airlight(place, eye, ray.xyz, ray.w);
+  float albedo = position.y == 0.0 ? 0.5 : 0.0;  // the sky is black
+  vec3 seen = albedo * litfog_listed_surface_light(litfog_lights_at(place, depth), position, up);
+  color = vec4(seen * (1.0 - litfog_fog_opacity(eye.y, position.y, ray.w, 1.0)) + airlight, 1.0);
 }
 )"}};
 
@@ -81,21 +76,18 @@ int main(int count, char** arguments) try {
 
   litfog::FogUpdater lamps;
   std::mt19937 random;
-  const auto number = [&](double low, double high) { return low + (high - low) * double(random()) / 4294967296.; };
+  const auto pick = [&](double low, double high) { return low + (high - low) * double(random()) / 4294967296.; };
   for (int i = 0; i < lamp_count; ++i) {
-    litfog::Light kind{.color = {number(5, 20), number(5, 15), number(0, 10)},
+    litfog::Light kind{.color = {pick(5, 20), pick(5, 15), pick(0, 10)},
                        .attenuation = {1, 0, 0.02 + 0.002 * (i % 40)}};
     if (i % 2 == 0) kind.cone = litfog::Cone::smoothstep(0.6, 1.2);
-    lamps.add(
-        {.light = kind, .position = {number(-1000, 1000), number(3, 9), number(-1000, -5)}, .direction = {0, -1, 0}});
+    lamps.add({.light = kind, .position = {pick(-1000, 1000), pick(3, 9), pick(-1000, -5)}, .direction = {0, -1, 0}});
   }
   const litfog::View view{.eye = {0, 12, 0}, .farthest = 1001};  // 90 degrees wide and high
   litfog::LightClusters clusters(count > 4 ? litfog::ClusterGrid{1, 1, 1} : litfog::ClusterGrid{});
 
   const litfog::gl::Program program("host.vert", "host.frag", kShaders);
   program.use();
-  for (int unit = 0; const char* table : {"litfog_kind_buffer", "litfog_instance_buffer", "litfog_cluster_buffer"})
-    glUniform1i(program.uniform(table), unit++);
   litfog::gl::FogLightBuffer fog_block;
   litfog::gl::FogLightTables tables;
   litfog::gl::LightClusterTables cluster_tables;
@@ -112,8 +104,8 @@ int main(int count, char** arguments) try {
     far.draw(view, air, tables, lamps.instances().size());
     fog_block.upload(litfog::pack_fog_header(air, 0));
     fog_block.bind(program, 0);
-    tables.bind_textures(0, 1);
-    cluster_tables.bind_texture(2);
+    tables.bind_textures(program, 0, 1);
+    cluster_tables.bind_texture(program, 2);
     far.bind(program, 3);
     glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, 2);
 

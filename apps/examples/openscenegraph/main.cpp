@@ -49,7 +49,6 @@ void main() {
 }
 )";
 constexpr const char* kFragment = R"(#version 330 compatibility
-#include "litfog/shaders/light_airlight.glsl"
 #include "litfog/shaders/light_clusters.glsl"
 uniform vec3 eye;
 uniform vec2 picture_size;
@@ -58,20 +57,12 @@ in vec3 normal;
 void main() {
   vec4 ray = litfog_ray(eye, position);
   vec2 place = gl_FragCoord.xy / picture_size;
-  LitfogLightList lights = litfog_lights_at(place, 1.0 / gl_FragCoord.w);
-  vec3 lit = vec3(0.01);
-  for (int i = 0; i < lights.count; ++i) {
-    LitfogLight light = litfog_buffered_light(litfog_listed_light(lights, i));
-    vec4 beam = litfog_ray(light.position_extent.xyz, position);
-    float facing = max(-dot(beam.xyz, normalize(normal)), 0.0);
-    lit += litfog_light_along(light, beam) * litfog_lamp_factor(light, position.y, beam.w) * facing;
-  }
-  vec3 seen = mix(gl_Color.rgb * lit, litfog_ambient_fog_color.rgb,
+  float depth = 1.0 / gl_FragCoord.w;
+  vec3 lit = litfog_listed_surface_light(litfog_lights_at(place, depth), position, normalize(normal));
+  vec3 seen = mix(gl_Color.rgb * (0.01 + lit), litfog_ambient_fog_color.rgb,
                   litfog_fog_opacity(eye.y, position.y, ray.w, 1.0));
-  lights = litfog_lights_along(place, 1.0 / gl_FragCoord.w);
-  for (int i = 0; i < lights.count; ++i)
-    seen += litfog_light_airlight(litfog_buffered_light(litfog_listed_light(lights, i)), eye, ray.xyz, ray.w);
-  gl_FragColor = vec4(seen, 1.0);
+  vec3 airlight = litfog_listed_airlight(litfog_lights_along(place, depth), eye, ray.xyz, ray.w);
+  gl_FragColor = vec4(seen + airlight, 1.0);
 }
 )";
 

@@ -28,6 +28,8 @@ class FogLightTables {
   ///
   /// throws  Unsupported if a table has more texels than this OpenGL's buffer textures can hold
   void bind_textures(unsigned kind_unit, unsigned instance_unit) const;
+  /// The same; also sets the program's samplers. The program must be in use.
+  void bind_textures(const Program& program, unsigned kind_unit, unsigned instance_unit) const;
 
   /// Binds the tables as storage buffers to binding points: the shader's LITFOG_KIND_BINDING and
   /// LITFOG_INSTANCE_BINDING.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "litfog/gl/buffer_table.h"
+#include "litfog/gl/program.h"
 #include "litfog/light_clusters.h"
 
 namespace litfog::gl {
@@ -21,6 +22,8 @@ class LightClusterTables {
   ///
   /// throws  Unsupported if it has more texels than this OpenGL's buffer textures can hold
   void bind_texture(unsigned unit) const { table_.bind_texture(unit); }
+  /// The same; also sets the program's sampler. The program must be in use.
+  void bind_texture(const Program& program, unsigned unit) const;
 
   /// Binds the table as a storage buffer to a binding point: the shader's LITFOG_CLUSTER_BINDING.
   ///

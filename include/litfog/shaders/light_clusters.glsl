@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // litfog: the few lights that can light a fragment, and those that can light the fog in front of it: the table of
-// litfog/light_clusters.h. Its lights are those of light_buffer.glsl or a host's own.
+// litfog/light_clusters.h. Its lights are those of light_buffer.glsl, or a host's own, which it then sums itself.
 //
 // The table is a buffer texture of R32UI texels, a 2-D texture or a storage buffer, like the tables of
 // light_buffer.glsl, at LITFOG_CLUSTER_BINDING (default 4).
@@ -8,6 +8,7 @@
 #ifndef LITFOG_LIGHT_CLUSTERS_GLSL
 #define LITFOG_LIGHT_CLUSTERS_GLSL
 
+#include "litfog/shaders/light_airlight.glsl"
 #include "litfog/shaders/light_buffer.glsl"
 
 #ifndef LITFOG_CLUSTER_BINDING
@@ -77,5 +78,28 @@ LitfogLightList litfog_lights_along(vec2 place, float depth) {
 
 // Index of a list's light number i, from 0 to count - 1.
 int litfog_listed_light(LitfogLightList list, int i) { return litfog_cluster_word(list.first + i); }
+
+// Light that a list's lights throw through the fog on a matt surface, to be multiplied with its colour: the sum of
+// litfog_light_along() * litfog_lamp_factor() * cosine.
+//
+// normal  unit
+vec3 litfog_listed_surface_light(LitfogLightList list, vec3 position, vec3 normal) {
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < list.count; ++i) {
+    LitfogLight light = litfog_buffered_light(litfog_listed_light(list, i));
+    vec4 ray = litfog_ray(light.position_extent.xyz, position);
+    float facing = max(-dot(ray.xyz, normal), 0.0);
+    sum += litfog_light_along(light, ray) * (litfog_lamp_factor(light, position.y, ray.w) * facing);
+  }
+  return sum;
+}
+
+// The sum of litfog_light_airlight() of a list's lights.
+vec3 litfog_listed_airlight(LitfogLightList list, vec3 eye, vec3 direction, float range) {
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < list.count; ++i)
+    sum += litfog_light_airlight(litfog_buffered_light(litfog_listed_light(list, i)), eye, direction, range);
+  return sum;
+}
 
 #endif
