@@ -109,8 +109,8 @@ SyntaxRule syntax_rule(rapidjson::ParseErrorCode code, std::string_view found) {
     case rapidjson::kParseErrorUnspecificSyntaxError:
       break;
   }
-  return {"text", "must be JSON"};  // GCOV_EXCL_STOP
-}
+  return {"text", "must be JSON"};
+}  // GCOV_EXCL_STOP
 
 /// RapidJSON's own allocator returns null if memory is short, and its reader writes there.
 struct ThrowingAllocator : rapidjson::CrtAllocator {

@@ -189,6 +189,7 @@ TEST(LightFile, AnglesAreWrittenInDegreesAsTheyWereGiven) {
   const double between = 0.21029293707130359;  // no double is read back as it
   EXPECT_NE(radians(degrees(between)), between);
   EXPECT_DOUBLE_EQ(radians(degrees(between)), between);
+  EXPECT_EQ(shown_degrees(radians(10.6262345)), "10.6262345");  // the quotient is 10.626234500000002
 }
 
 TEST(LightFile, FileNeedsItsHeaderAndLendsItsName) {

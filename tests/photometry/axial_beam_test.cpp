@@ -11,6 +11,7 @@
 #include <limits>
 #include <numbers>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "core/value_errors.h"
@@ -337,6 +338,19 @@ TEST(Asymmetry, AsymmetryAboutTheGridsOwnAxisIsThatOfTheIntensityAsInterpolated)
     EXPECT_NEAR(AxialBeam(lamp, kPhotometricAxis).asymmetry(), expected, 1e-9) << first << " to " << last;
     EXPECT_NEAR(AxialBeam(lamp, -kPhotometricAxis).asymmetry(), expected, 1e-9) << first << " to " << last;
   }
+}
+
+TEST(AxialBeam, MovedBeamHasItsAxis) {
+  const auto lamp =
+      sampled(PhotometryType::c, {0}, {0, 0.1, 0.3, 1.2, 2.3, pi}, [](double, double g) { return 10 - 3 * g; });
+  AxialBeam aimed(lamp, {1, 0, 0});
+  const std::vector<AxialSample> expected = aimed.profile();
+  AxialBeam moved(std::move(aimed));
+  AxialBeam assigned(lamp, kPhotometricAxis);
+  assigned = std::move(moved);
+  const std::vector<AxialSample> profile = assigned.profile();
+  ASSERT_EQ(profile.size(), expected.size());
+  for (std::size_t i = 0; i < profile.size(); ++i) EXPECT_EQ(profile[i].mean, expected[i].mean);
 }
 
 TEST(AxialBeam, AxisWithoutDirectionIsAnError) {
