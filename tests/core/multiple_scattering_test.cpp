@@ -134,6 +134,17 @@ TEST(EffectiveIntensity, InThinFogIsTheLampsOwn) {
   }
 }
 
+TEST(MultipleScattering, SourceIsAsIntenseAsItsLightInTheFogThatItsClassSees) {
+  Light light;
+  light.attenuation = {1, 0.1, 0.01};
+  light.density_scale = 0.5;
+  Atmosphere air;
+  air.fog = {FogMode::exp, 0.04};
+  EXPECT_EQ(source_intensity(light, air), effective_intensity(light.attenuation, 0.02));
+  air.fog.density = 0;
+  EXPECT_EQ(source_intensity(light, air), 0);
+}
+
 TEST(EffectiveIntensity, InDenseFogIsThatOfTheNearLight) {
   // The integral of d e^(-d r) r^2 is 2 / d^2.
   for (const Attenuation& attenuation : {Attenuation{4, 0.1, 0.2}, Attenuation{0.5, 0, 0.01}}) {

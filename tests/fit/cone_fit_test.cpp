@@ -340,6 +340,19 @@ TEST(ConeFit, SamplesWithoutWeightAreLeftOut) {
             fit_cone(target_of(std::nullopt, without)).best().cone);
 }
 
+TEST(ConeFit, ProfileOfABeamGivesSamplesOfOneWeight) {
+  const std::vector<ConeSample> samples = cone_samples({{0, 900, 30}, {0.2, 400, 0}});
+  ASSERT_EQ(samples.size(), 2u);
+  EXPECT_EQ(samples[1].angle, 0.2);
+  EXPECT_EQ(samples[1].intensity, 400);
+  EXPECT_EQ(samples[0].weight, samples[1].weight);
+}
+
+TEST(ConeFit, CosineProfileLeavesItsHalfAngleOpen) {
+  EXPECT_EQ(fitted_parameters(ConeProfile::cosine).size(), 1u);
+  EXPECT_EQ(fitted_parameters(ConeProfile::smoothstep).size(), 2u);
+}
+
 TEST(ConeFit, ErrorNamesFieldValueAndRule) {
   const auto error = [](const ConeTarget& target) { return error_of([&] { fit_cone(target); }); };
   EXPECT_EQ(error({}), "samples = 0: must be at least two with weight where no beam or field angle is given");
