@@ -59,6 +59,10 @@ struct FogLoss {
 /// No peak is sought beyond, because 1 - e^-64 is 1.
 constexpr double kMaxDepth = 64;
 
+/// The longest step to the root, as a fraction of the depth and as a depth. Of a function like e^u, a step s to fifth
+/// order leaves s^6 / 6.
+constexpr double kLongestStepOfDepth = 0.03, kLongestStep = 0.08;
+
 HWY_INLINE FogLoss loss_over(const Split<double>& depth) {
   // u = n ln 2 + g with |g| <= ln 2 / 2, to the nearest n in every rounding mode
   constexpr double kLn2 = 0.69314718055994531;
@@ -156,7 +160,7 @@ HWY_INLINE std::optional<FogIntensity> solve(const Attenuation& asked, double de
   const double x = density * range;
   const double u = kIsExp ? x : x * x;
   const double wanted = kIsExp ? exp_step(c, a, b, u, loss) : exp2_step(c, a, b, x, u, loss);
-  if (!(std::abs(wanted) <= 0.03 * u && u < kMaxDepth)) return std::nullopt;
+  if (!(std::abs(wanted) <= std::min(kLongestStepOfDepth * u, kLongestStep) && u < kMaxDepth)) return std::nullopt;
   double stretch = metres * (kIsExp ? wanted : wanted / (x * (1 + std::sqrt(1 + wanted / u))));
   double peak = range + stretch;
   level = peak >= extent.high ? threshold : is_below_knee(peak) ? 1 : 0;

@@ -78,8 +78,8 @@ struct Root {
 };
 
 /// The one sign change of a slope on (0, upper]: Halley from a guess, kept inside the bracket, bisected on escape.
-/// A step that moves x by the fraction m leaves an error of about m^3 (1 + x^2 / 12), so that a step below the bound
-/// leaves the peak's range good to 1e-9 and its height to the square of that.
+/// A step that moves x by the fraction m leaves an error of about m^3 (1 + x^2 / 12) in exp fog and m^3 (1 + x^4 / 3) in
+/// exp2 fog, so that a step below the bound leaves the peak's range good to 1e-9 and its height to the square of that.
 template <typename SlopeAt>
 Root find_sign_change(const SlopeAt& slope_at, Wide guess, Wide upper) {
   constexpr int kMaxSteps = 100;
@@ -93,7 +93,7 @@ Root find_sign_change(const SlopeAt& slope_at, Wide guess, Wide upper) {
     const Wide move = 2 * slope.value * slope.first / (2 * slope.first * slope.first - slope.value * slope.second);
     Wide next = x - move;
     if (!(next > low && next < high) && next != x) next = low > 0 ? std::sqrt(low) * std::sqrt(high) : high / 2;
-    is_close = std::abs(next - x) * (1 + x) <= Wide(1e-3) * x;
+    is_close = std::abs(next - x) * (1 + x * x) <= Wide(1e-3) * x;
     x = next;
   }
   return {x, is_close ? SolveStatus::ok : SolveStatus::not_converged};

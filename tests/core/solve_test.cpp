@@ -156,6 +156,20 @@ TEST(SolveFogIntensity, SolutionIsExactOverSixtyDecades) {
   });
 }
 
+TEST(SolveFogIntensity, PeakDeepInExp2FogIsExact) {
+  const SolveCase by_series{{7293789572571086, 80301.553924085907, 7.4519799684275333e18},
+                            {FogMode::exp2, 4785234285130380},
+                            1.5195263014755174e-17};
+  const SolveCase by_search{{3.5082790427105309e306, 8.2725584139776988e-178, 1.8743626333831283e-58},
+                            {FogMode::exp2, 1.1177619980753588e121},
+                            1.027774924829295e-308};
+  SolveErrors errors(", exp2", "optical depths of 65 and 1,400");
+  for (const SolveCase& c : {by_series, by_search}) {
+    errors.add(c, solve_reference(c.attenuation, c.fog, c.threshold));
+  }
+  errors.check();
+}
+
 TEST(SolveFogIntensity, SolutionIsExactOverAllDoubles) {
   check_family("C, L, Q, d all doubles, t all below 1", [](Random& random, FogMode mode) {
     const auto draw = [&] { return random.any_positive<double>(); };
