@@ -622,8 +622,8 @@ struct LitfogAirlightStretch {
 };
 
 // Cosine of the half angle beyond which a beam is dark, or so dim that it adds next to nothing to what it adds
-// elsewhere on [low, high].
-LITFOG_REAL litfog_airlight_edge(LitfogAirlight air, LITFOG_REAL low, LITFOG_REAL high) {
+// elsewhere on [low, high], though the phase function may brighten it there by so many optical depths.
+LITFOG_REAL litfog_airlight_edge(LitfogAirlight air, LITFOG_REAL low, LITFOG_REAL high, LITFOG_REAL depths) {
   if (!litfog_cone_is_cut_off(air.profile)) return air.cone_x;
   LITFOG_REAL nearest = max(litfog_airlight_cosine(air, low, litfog_airlight_range(air, low)),
                             litfog_airlight_cosine(air, high, litfog_airlight_range(air, high)));
@@ -631,8 +631,6 @@ LITFOG_REAL litfog_airlight_edge(LitfogAirlight air, LITFOG_REAL low, LITFOG_REA
     LITFOG_REAL along = clamp(litfog_airlight_axis_crossing(air), low, high);
     nearest = max(nearest, litfog_airlight_cosine(air, along, litfog_airlight_range(air, along)));
   }
-  // What the phase function may brighten beyond it counts, too.
-  LITFOG_REAL depths = max(litfog_forward_depths(air.phase), litfog_backward_depths(air.phase));
   LITFOG_REAL falloff = air.cone_y / (LITFOG_REAL(1.0) + depths / LITFOG_REAL(11.5));
   return litfog_cone_end(air.profile, nearest, air.cone_x, falloff);
 }
@@ -646,7 +644,13 @@ LitfogAirlightStretch litfog_airlight_lit(LitfogAirlight air) {
   lit.dark.low = litfog_far;
   lit.dark.high = litfog_far;
   if (!litfog_has_cone(air.profile) || !(lit.high > lit.low)) return lit;
-  LitfogAirlightPart inside = litfog_airlight_inside(air, litfog_airlight_edge(air, lit.low, lit.high));
+  // Light is scattered the more backwards the farther along the ray.
+  LITFOG_REAL forward = litfog_forward_depths(air.phase);
+  LITFOG_REAL backward = litfog_backward_depths(air.phase);
+  LitfogAirlightPart inside = litfog_airlight_inside(air, litfog_airlight_edge(air, lit.low, lit.high, forward));
+  if (litfog_cone_is_cut_off(air.profile) && forward != backward) {
+    inside.high = litfog_airlight_inside(air, litfog_airlight_edge(air, lit.low, lit.high, backward)).high;
+  }
   if (!litfog_airlight_is_wide(air)) {
     lit.low = max(lit.low, inside.low);
     lit.high = inside.high > inside.low ? min(lit.high, inside.high) : lit.low;
