@@ -265,7 +265,7 @@ const char* name_of(AttenuationConstraint constraint) {
     case AttenuationConstraint::quadratic_zero:
       return "quadratic = 0";
   }
-  return "";
+  return "";  // GCOV_EXCL_LINE: all are named
 }
 
 std::optional<TargetError> find_error(const AttenuationTarget& given) {

@@ -307,7 +307,7 @@ class HeldSearch {
       q.low = std::max(q.low, (d.low - high) * x.inverse[j]);
       if (!(q.low <= q.high)) {
         if (!(q.low <= q.high * (1 + 4 * kRounding))) return false;
-        q.low = q.high;
+        q.low = q.high;  // GCOV_EXCL_LINE: by rounding alone
       }
     }
     return true;

@@ -62,7 +62,9 @@ inline constexpr double kLightEndMaxError = 2e-15;
 LightEnd compute_end(double candela, double lux, double threshold);
 
 enum class AttenuationFitStatus {
-  optimal,     ///< no attenuation that meets the extent (and constant) lowers the objective by more than 1e-7 of it
+  /// No attenuation that meets the extent (and constant) lowers the objective by more than 1e-7 of it, or than 1e-20 of
+  /// the sum of weights.
+  optimal,
   unproven,    ///< the best found; the search ended before it could rule out a better one
   infeasible,  ///< no attenuation meets the target; this is the best fit, and the sentence says what could be met
 };
