@@ -30,8 +30,8 @@ struct EyeRay {
 /// What is wrong with a ray, or nothing.
 std::optional<ValueError> find_error(const EyeRay& ray);
 
-/// In layers, rays count as level that rise or fall by no more than this, metres a metre. They would change from one
-/// layer to another where doubles are too far apart to tell where.
+/// In layers, a ray that rises or falls by no more than this, in metres per metre, counts as level. It would reach
+/// another layer so far away that doubles cannot tell where.
 inline constexpr double kLevelRise = 1e-12;
 
 /// Largest errors of airlight(), from clear air to a visibility of 5 cm, for cones of at least 0.1 degree,

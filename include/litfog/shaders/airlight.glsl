@@ -700,10 +700,10 @@ LitfogAirlightStretch litfog_airlight_stretch(LitfogAirlight air) {
   stretch.high = LITFOG_REAL(0.0);
   if (air.offset >= air.extent) return stretch;
   if (litfog_airlight_is_layered(air)) {
-    LitfogAirlightStretch lit = litfog_airlight_lit(air);
     LITFOG_REAL end = litfog_airlight_end_of_layers(air, LITFOG_REAL(100.0)) - air.approach;
-    lit.high = max(lit.low, min(lit.high, end));
-    return lit;
+    stretch.low = low;
+    stretch.high = max(low, min(high, end));
+    return stretch;
   }
   if (!(air.density > LITFOG_REAL(0.0))) return stretch;
   LITFOG_REAL fog_scale = LITFOG_REAL(1.0) / air.density;

@@ -17,11 +17,11 @@ uniform isamplerBuffer far_lights;
 uniform int first_light;
 uniform int light_count;
 uniform float visible_step;  // of the display, linear
-uniform int row_count;    // texel rows of eight slabs; the next eight slabs are above
+uniform int row_count;       // texel rows of eight slabs; the next eight slabs are above
 
 const int slab_parts = 3;   // of a slab, in each of which a cone has one share
-const float faint = 1.0;    // steps of the display in eight slabs: their place among these is not seen
-const float dim = 64.0;     // steps in eight slabs: in layers these are not cut into parts
+const float faint = 1.0;  // steps of the display in eight slabs: their place among these is not seen
+const float dim = 64.0;   // steps in eight slabs: in layers these are not cut into parts
 
 layout(location = 0) out vec4 sums[slabs_at_once];
 
