@@ -16,6 +16,7 @@ struct Result {
   command::Table table;
   command::Figure figure;             ///< no charts for a benchmark that draws none
   std::string gl_renderer = "none";   ///< GL_RENDERER
+  std::string strip = {};             ///< the bytes of a PNG file; empty for a benchmark that draws none by itself
   std::vector<std::string> failures;  ///< sentences: where litfog exceeded its own stated error
 };
 
@@ -105,6 +106,19 @@ Result draw_glow(bool quick);
 /// returns the bytes of a PNG file
 /// throws  image::ImageError if no font is found
 std::string draw_glow_strip(bool quick);
+
+/// Four views of scenes with fog lit by single scattering and by all orders, beside the true pictures: single
+/// scattering, and traced paths for the rest (measure::trace_higher_orders), all with shafts of shadow. The strip has
+/// a row of the three for each view, by the automatic exposure of the last. Columns:
+///
+/// scene, visibility_m
+/// fog_light             single or all
+/// ratio_p10, _p50, _p90  luminance over the true one: quantiles over squares of 4 x 4 pixels
+/// noise_p50             of the traced paths, relative: the median of half the difference of two halves over their mean
+///
+/// quick   one view, tiny, of few paths
+/// throws  gl::Unsupported like Renderer
+Result trace_scenes(bool quick);
 
 /// A visibility that falls from 10,000 to 50 m and rises again, step by step, over many lights of few kinds, all of
 /// them carried and switched on. Columns:

@@ -60,6 +60,10 @@ converges only beyond a depth of 1; one Gaussian (after Premože et al. 2004); t
 steps (Wrenninge et al. 2013, as in engines); a random walk of 65,536 paths (walk, with its standard error).
 Errors are against the discretised equation of transfer (reference). --strip draws one lamp at six visibilities.
 
+traced: no times; four views of scenes, lit by single scattering and by all orders. The truth is single scattering plus
+128 random paths a pixel, which fog scatters and surfaces reflect and block (walk_scattering); shadows are shafts. The
+ratios are quantiles of the luminance over the true one, in squares of 4 x 4 pixels. --strip draws all views.
+
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, with a million lights of 200 kinds, all carried and on.
 updater-layers: the same in a layer of droplets, with what all orders of scattering need for each kind.
 bytes_per_step: bytes to upload, the largest of all steps.
@@ -140,6 +144,7 @@ struct Benchmark {
   Result (*measure)(bool quick);
   bool has_batches = false;
   bool has_figure = false;
+  bool has_strip = false;
 };
 const std::vector<Benchmark> kBenchmarks{
     {"solve", "time against error of every method for a light's fog colour intensity", measure_solve, true, true},
@@ -147,7 +152,9 @@ const std::vector<Benchmark> kBenchmarks{
     {"lamps", "peak and airlight of four lamps over visibility, beside the reference", measure_lamps, false, true},
     {"scattering", "table of a point lamp's light that fog scatters twice or more", tabulate_scattering},
     {"glow", "the glow around a point lamp over angle: scattered once, all orders, and by a random walk", draw_glow,
-     false, true},
+     false, true, true},
+    {"traced", "scenes lit by single scattering and by all orders, beside traced paths", draw<trace_scenes>, false, false,
+     true},
     {"update", "time to follow a visibility step by step over a million lights", measure_update, true},
     {"load", "an hour of changing weather and lights, a million lights: steps and memory", measure_load, true},
     {"fit", "time and quality of fits of an attenuation to a falloff table", fit},
@@ -243,7 +250,7 @@ ExitStatus run(const Options& options) {
   if (options.json_file) litfog::files::write_whole_file(*options.json_file, json_of(result));
   if (figure_format) litfog::files::write_whole_file(*options.plot_file, draw_figure(result.figure, *figure_format));
 #ifdef LITFOG_HAS_GL
-  if (options.strip_file) litfog::files::write_whole_file(*options.strip_file, draw_glow_strip(options.quick));
+  if (options.strip_file) litfog::files::write_whole_file(*options.strip_file, result.strip.empty() ? draw_glow_strip(options.quick) : result.strip);
 #endif
   for (const std::string& failure : result.failures) fmt::print(stderr, "litfog-bench: {}\n", failure);
   return result.failures.empty() ? kDone : kNotToTolerance;
@@ -269,7 +276,8 @@ int main(int argc, char** argv) {
                  "Draw time against error (solve, airlight), over visibility (lamps), angle (glow) or lights (render)")
       ->type_name("FILE.png|FILE.svg");
   app.add_option("--strip", options.strip_file,
-                 "glow: draw one lamp at six visibilities, scattered once, in all orders and by the reference")
+                 "Draw pictures scattered once, in all orders and by the reference: one lamp at six visibilities (glow), or "
+                 "scenes (traced)")
       ->type_name("FILE.png");
   app.add_option("--isa", options.isa,
                  "Batches and cluster lists use no wider SIMD target than this, by Highway's names: AVX3, AVX2, SSE4")
@@ -282,7 +290,7 @@ int main(int argc, char** argv) {
     const Benchmark& benchmark = *options.benchmark;
     check_options(app, {{benchmark.name, !benchmark.has_batches, {"--isa"}, "it has no batches"},
                         {benchmark.name, !benchmark.has_figure, {"--plot"}, "it has no figure"},
-                        {benchmark.name, benchmark.measure != draw_glow, {"--strip"}, "it has no strip"}});
+                        {benchmark.name, !benchmark.has_strip, {"--strip"}, "it has no strip"}});
     return run(options);
   });
 }

@@ -11,35 +11,12 @@
 
 #include "measure/night_sky.h"
 #include "measure/path_model.h"
+#include "measure/pixel_rays.h"
 #include "model/parallel.h"
 #include "render/gpu/geometry_buffer.h"
 
 namespace litfog::measure {
 namespace {
-
-/// Directions through the centres of pixels; row 0 is the top row.
-class PixelRays {
- public:
-  PixelRays(const scene::Camera& camera, int width, int height)
-      : axes_(axes_of(camera)),
-        pixel_(2 * std::tan(double(camera.field_of_view) / 2) / height),
-        middle_(width / 2.0, height / 2.0) {}
-
-  glm::dvec3 direction(int x, int y) const {
-    const glm::dvec2 off = pixel_ * glm::dvec2(x + 0.5 - middle_.x, middle_.y - y - 0.5);
-    return glm::normalize(axes_.forward + axes_.right * off.x + axes_.up * off.y);
-  }
-
-  /// The length along a direction, metres, that reaches a distance along the camera's axis.
-  double length_to(double distance, const glm::dvec3& direction) const {
-    return distance / glm::dot(direction, axes_.forward);
-  }
-
- private:
-  scene::CameraAxes axes_;
-  double pixel_;       // size of a pixel one metre ahead
-  glm::dvec2 middle_;  // pixels
-};
 
 /// A colour, its range by light maps, and whether rounding decides on it.
 struct Shade {
@@ -130,7 +107,7 @@ class ReferenceShading {
 
   double length_to(const render::GeometrySample& sample, const glm::dvec3& direction) const {
     if (sample.material < 0) return fog_before_sky(fog_above_eye_, direction);
-    return rays_.length_to(render::kNearPlane / double(sample.depth), direction);
+    return rays_.length_to(sample, direction);
   }
 
   Shade surface(const SurfacePoint& point) const {

@@ -200,9 +200,10 @@ struct Leg {
 
 /// A point of a path.
 struct Vertex {
-  enum class Kind { fog, ground };
+  enum class Kind { fog, surface };
   Vector position;
-  Vector direction;  // fog: of the incoming leg
+  Vector direction;   // fog: of the incoming leg; surface: its normal
+  double albedo = 1;  // of a surface
   Kind kind;
 };
 
@@ -211,10 +212,12 @@ struct Sums {
   double first = 0, second = 0, higher = 0;
 };
 
+}  // namespace
+
 /// The walk's fixed data and its steps.
-class Walk {
+class ScatteringPaths::Walk {
  public:
-  Walk(const PlacedLight& placed, const Atmosphere& atmosphere, const EyeRay& ray, const ScatteringWalk& walk)
+  Walk(const PlacedLight& placed, const Atmosphere& atmosphere, const Vector& eye, const Surroundings* surroundings)
       : position_(placed.position),
         axis_(placed.direction),
         law_(placed.light.attenuation),
@@ -225,8 +228,7 @@ class Walk {
              scaled(atmosphere.profile, placed.light.density_scale)},
         albedo_(atmosphere.albedo),
         scatterer_(atmosphere.phase),
-        ray_(ray),
-        ground_(walk.ground) {
+        surroundings_(surroundings) {
     const double thickest = air_.uniform + (air_.is_uniform() ? 0 : largest_density(air_.layers));
     free_path_ = 1 / thickest;
     // There the law changes from inverse-square to flat.
@@ -235,69 +237,90 @@ class Walk {
             2;
     is_spot_ = !cone_.is_point_light();
     const double transport = 1 / (1 - scatterer_.mean_cosine());
-    const Vector to_lamp = position_ - ray.origin;
+    const Vector to_lamp = position_ - eye;
     const double depth = thickest * glm::length(to_lamp);
-    is_endless_ = air_.is_uniform() && air_.uniform > 0 && albedo_ == 1 && !ground_;
+    is_endless_ = air_.is_uniform() && air_.uniform > 0 && albedo_ == 1 && !surroundings_;
     inner_ = free_path_ * std::max(8 + 6 * transport, depth + 4);
     drift_ = free_path_ * scatterer_.mean_cosine() * transport;
     const double transport_depth = depth / transport;
     plain_orders_ = (8 + transport_depth * transport_depth) * transport;
   }
 
-  void add_path(Random& random, Sums& sums) const {
-    const Leg eye_leg = leg_from(ray_.origin, ray_.direction, ray_.length);
+  void add_path(const EyeRay& ray, Random& random, Sums& sums) const {
+    const Leg eye_leg = leg_from(ray.origin, ray.direction, ray.length);
     if (eye_leg.first < eye_leg.last) {
       double density = 0;
       const double place = draw_on(eye_leg, random, density);
       sums.first += source(eye_leg, place) / density;
     }
-    double first_weight = 0;
-    const double length = draw_first_vertex(eye_leg, random, first_weight);
-    if (!(first_weight > 0) || albedo_ == 0) return;
-    double weight = 1;  // relative to first_weight, which is least where scattered light counts most
-    Vertex vertex{ray_.origin + ray_.direction * length, ray_.direction, Vertex::Kind::fog};
+    double weight = 0;
+    const double length = draw_first_vertex(eye_leg, random, weight);
+    if (!(weight > 0)) return;
+    follow({.position = ray.origin + ray.direction * length, .direction = ray.direction, .kind = Vertex::Kind::fog},
+           weight, random, sums);
+  }
+
+  void add_path(const Vector& position, const Vector& normal, Random& random, Sums& sums) const {
+    follow({.position = position, .direction = normal, .kind = Vertex::Kind::surface}, 1, random, sums);
+  }
+
+ private:
+  /// Adds what a vertex and all that follow it send on of the light that reaches them over one more scattering.
+  ///
+  /// first_weight  least where scattered light counts most; paths end by what follows it alone
+  void follow(Vertex vertex, double first_weight, Random& random, Sums& sums) const {
+    if (albedo_ == 0) return;
+    double weight = 1;
     for (int order = 1;; ++order) {
-      weight *= vertex.kind == Vertex::Kind::fog ? albedo_ : ground_->albedo;
+      weight *= vertex.kind == Vertex::Kind::fog ? albedo_ : vertex.albedo;
       if (!survives(weight, order, random)) return;
       add(sums, order, first_weight * weight * connect(vertex, random));
       Vector direction = draw_direction(vertex, order, random, weight);
       if (!(weight > 0)) return;
       for (;;) {
-        const double end = length_to_ground(vertex.position, direction);
-        const double total = air_.depth_along(vertex.position, direction, end);
+        const std::optional<Surroundings::Hit> hit = hit_from(vertex.position, direction);
+        const double total = air_.depth_along(vertex.position, direction, hit ? hit->distance : kInfinity);
         const double depth = -std::log(random.unit());
         if (depth >= total) {
-          if (end == kInfinity) return;
-          vertex = {vertex.position + direction * end, direction, Vertex::Kind::ground};
-          vertex.position.y = ground_->height;
-          add(sums, order, first_weight * weight * ground_->albedo * lit_ground(vertex.position));
+          if (!hit) return;
+          vertex = {.position = vertex.position + direction * hit->distance,
+                    .direction = hit->normal,
+                    .albedo = hit->albedo,
+                    .kind = Vertex::Kind::surface};
+          add(sums, order, first_weight * weight * vertex.albedo * lit_surface(vertex));
           break;
         }
         const double free = air_.length_at_depth(vertex.position, direction, depth);
-        vertex = {vertex.position + direction * free, direction, Vertex::Kind::fog};
+        vertex = {.position = vertex.position + direction * free, .direction = direction, .kind = Vertex::Kind::fog};
         if (!is_endless_ || !is_far(vertex)) break;
         if (!bring_back(vertex, direction, random)) return;
       }
     }
   }
 
- private:
   /// Adds a path with some vertices that is lit over one more scattering.
   static void add(Sums& sums, int vertices, double value) {
     if (vertices == 1) sums.second += value;
     sums.higher += value;
   }
 
-  double length_to_ground(const Vector& from, const Vector& direction) const {
-    if (!ground_ || !(direction.y < 0)) return kInfinity;
-    return std::max(0.0, (ground_->height - from.y) / direction.y);
+  std::optional<Surroundings::Hit> hit_from(const Vector& origin, const Vector& direction) const {
+    return surroundings_ ? surroundings_->nearest(origin, direction) : std::nullopt;
+  }
+  bool is_hidden(const Vector& position) const {
+    return surroundings_ && surroundings_->is_hidden(position_, position);
   }
 
+  /// A leg up to the first surface.
+  Leg leg_from(const Vector& origin, const Vector& direction) const {
+    const std::optional<Surroundings::Hit> hit = hit_from(origin, direction);
+    return leg_from(origin, direction, hit ? hit->distance : kInfinity);
+  }
   Leg leg_from(const Vector& origin, const Vector& direction, double length) const {
     Leg leg{};
     leg.origin = origin;
     leg.direction = direction;
-    leg.length = std::min(length, length_to_ground(origin, direction));
+    leg.length = length;
     const Vector to_lamp = position_ - origin;
     leg.approach = glm::dot(to_lamp, direction);
     const Vector away = leg.approach * direction - to_lamp;
@@ -381,7 +404,7 @@ class Walk {
       value *= cone_at(
           cone_, std::clamp(glm::dot(axis_, leg.nearest * leg.offset + leg.direction * place) / range, -1.0, 1.0));
     }
-    if (value == 0) return 0;
+    if (value == 0 || is_hidden(leg.origin + leg.direction * from_origin)) return 0;
     const double versine = place < 0 ? leg.offset * leg.offset / (range * (range - place)) : 1 + place / range;
     const double height = leg.origin.y + leg.direction.y * from_origin;
     const double depth = air_.depth(leg.origin.y, height, from_origin) + air_.depth(height, position_.y, range);
@@ -430,14 +453,14 @@ class Walk {
 
   /// Phase function or reflection of a vertex into a direction, per steradian.
   double scattered(const Vertex& vertex, const Vector& direction) const {
-    if (vertex.kind == Vertex::Kind::ground) return std::max(0.0, direction.y) / pi;
+    if (vertex.kind == Vertex::Kind::surface) return std::max(0.0, glm::dot(vertex.direction, direction)) / pi;
     const Vector difference = vertex.direction - direction;
     return scatterer_.value(glm::dot(difference, difference) / 2) / (4 * pi);
   }
   Vector draw_scattered(const Vertex& vertex, Random& random) const {
     if (vertex.kind == Vertex::Kind::fog) return scatterer_.draw(vertex.direction, random);
     const double square = random.unit();
-    return turned({0, 1, 0}, std::sqrt(1 - square), std::sqrt(square), random);
+    return turned(vertex.direction, std::sqrt(1 - square), std::sqrt(square), random);
   }
   Vector draw_towards(const Vector& position, Random& random) const {
     const double angle = scatterer_.draw_towards(random);
@@ -467,13 +490,13 @@ class Walk {
       const Vector way = point - vertex.position;
       const double length = glm::length(way);
       if (!(length > 0)) return 0;
-      leg = leg_from(vertex.position, way / length, kInfinity);
+      leg = leg_from(vertex.position, way / length);
       if (length > leg.length) return 0;
       place = length - leg.approach;
     } else {
       const Vector direction =
           choice < into_beam + towards ? draw_towards(vertex.position, random) : draw_scattered(vertex, random);
-      leg = leg_from(vertex.position, direction, kInfinity);
+      leg = leg_from(vertex.position, direction);
       if (!(leg.first < leg.last)) return 0;
       double density = 0;
       place = draw_on(leg, random, density);
@@ -547,15 +570,15 @@ class Walk {
     return true;
   }
 
-  /// Radiance of white ground lit by the lamp, in the unit of airlight.
-  double lit_ground(const Vector& point) const {
-    const Vector from_lamp = point - position_;
+  /// Radiance of a white surface lit by the lamp, in the unit of airlight.
+  double lit_surface(const Vertex& vertex) const {
+    const Vector from_lamp = vertex.position - position_;
     const double range = glm::length(from_lamp);
-    const double cosine = -from_lamp.y / range;
-    if (!(cosine > 0)) return 0;
+    const double cosine = -glm::dot(from_lamp, vertex.direction) / range;
+    if (!(cosine > 0) || is_hidden(vertex.position)) return 0;
     return 4 / albedo_ * cosine * attenuation(range) *
            cone_at(cone_, std::clamp(glm::dot(axis_, from_lamp) / range, -1.0, 1.0)) *
-           std::exp(-air_.depth(point.y, position_.y, range));
+           std::exp(-air_.depth(vertex.position.y, position_.y, range));
   }
 
   Vector position_, axis_;
@@ -565,14 +588,15 @@ class Walk {
   Air air_;
   double albedo_;
   Scatterer scatterer_;
-  EyeRay ray_;
-  std::optional<Ground> ground_;
+  const Surroundings* surroundings_;
   double free_path_ = 0, soft_ = 0;
   bool is_spot_ = false, is_endless_ = false;
   double inner_ = 0;         // radius of the sphere on which far paths come back, metres
   double drift_ = 0;         // mean distance, metres, that a path goes on in its direction before it forgets it
   double plain_orders_ = 0;  // orders followed without roulette
 };
+
+namespace {
 
 Estimate estimate(const std::array<Sums, kScatteringBatches>& batches, double Sums::*member, double paths) {
   constexpr double count = kScatteringBatches;
@@ -585,26 +609,42 @@ Estimate estimate(const std::array<Sums, kScatteringBatches>& batches, double Su
 
 }  // namespace
 
-ScatteredLight walk_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray,
-                               const ScatteringWalk& walk) {
+ScatteringPaths::ScatteringPaths(const PlacedLight& light, const Atmosphere& atmosphere, const glm::dvec3& eye,
+                                 const Surroundings* surroundings) {
   require(find_error(light));
   require(find_error(atmosphere));
-  require(find_error(ray));
   if (atmosphere.fog.mode != FogMode::exp) {
     require(ValueError{"fog.mode", double(atmosphere.fog.mode), "must be exp"});
   }
   if (!(atmosphere.fog.density <= std::numeric_limits<double>::max())) {
     require(ValueError{"fog.density", atmosphere.fog.density, "must be finite"});
   }
+  walk_ = std::make_unique<const Walk>(light, atmosphere, eye, surroundings);
+}
+ScatteringPaths::~ScatteringPaths() = default;
+ScatteringPaths::ScatteringPaths(ScatteringPaths&&) noexcept = default;
+ScatteringPaths& ScatteringPaths::operator=(ScatteringPaths&&) noexcept = default;
+
+double ScatteringPaths::scattered(const EyeRay& ray, std::uint64_t seed, std::uint64_t path) const {
+  Random random(seed, path);
+  Sums sums;
+  walk_->add_path(ray, random, sums);
+  return sums.higher;
+}
+
+double ScatteringPaths::reflected(const glm::dvec3& position, const glm::dvec3& normal, std::uint64_t seed,
+                                  std::uint64_t path) const {
+  Random random(seed, path);
+  Sums sums;
+  walk_->add_path(position, normal, random, sums);
+  return sums.higher;
+}
+
+ScatteredLight walk_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray,
+                               const ScatteringWalk& walk) {
+  require(find_error(ray));
   if (walk.paths == 0) fail_count("paths", 0, "must be at least 1");
-  if (walk.ground) {
-    const auto& [height, albedo] = *walk.ground;
-    if (!(height <= std::min(light.position.y, ray.origin.y))) {
-      require(ValueError{"ground.height", height, "must be below lamp and eye"});
-    }
-    if (!(albedo >= 0 && albedo <= 1)) require(ValueError{"ground.albedo", albedo, "must be in [0, 1]"});
-  }
-  const Walk steps(light, atmosphere, ray, walk);
+  const ScatteringPaths steps(light, atmosphere, ray.origin, walk.surroundings);
   const std::uint64_t paths = (walk.paths + kScatteringBatches - 1) / kScatteringBatches;
   std::array<Sums, kScatteringBatches> batches;
   for_each_in_parallel(
@@ -612,7 +652,7 @@ ScatteredLight walk_scattering(const PlacedLight& light, const Atmosphere& atmos
       [&](std::size_t batch) {
         Random random(walk.seed, batch);
         Sums sums;
-        for (std::uint64_t i = 0; i < paths; ++i) steps.add_path(random, sums);
+        for (std::uint64_t i = 0; i < paths; ++i) steps.walk_->add_path(ray, random, sums);
         batches[batch] = sums;
       },
       walk.threads);

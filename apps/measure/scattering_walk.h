@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/glm.hpp>
+#include <memory>
 #include <optional>
 
 #include "litfog/airlight.h"
@@ -23,17 +25,29 @@ struct ScatteredLight {
   Estimate higher;  ///< twice or more often: M, which airlight() lacks
 };
 
-/// A Lambertian ground, the horizontal plane at a height. Lamp and eye are above it.
-struct Ground {
-  double height = 0;  ///< metres
-  double albedo = 0;  ///< [0, 1]
+/// Opaque surfaces that end rays, hide lamps and reflect light: Lambertian, and as seen from either side.
+class Surroundings {
+ public:
+  struct Hit {
+    double distance;    ///< metres along the ray
+    glm::dvec3 normal;  ///< unit, on the ray's side
+    double albedo;      ///< [0, 1]
+  };
+
+  virtual ~Surroundings() = default;
+  /// The first surface on a ray.
+  ///
+  /// direction  unit
+  virtual std::optional<Hit> nearest(const glm::dvec3& origin, const glm::dvec3& direction) const = 0;
+  /// Whether a surface is between a lamp and a position that may itself be on a surface.
+  virtual bool is_hidden(const glm::dvec3& lamp, const glm::dvec3& position) const = 0;
 };
 
 struct ScatteringWalk {
   std::uint64_t paths = 1 << 16;  ///< rounded up to a multiple of kScatteringBatches
   std::uint64_t seed = 1;
-  std::size_t threads = 0;       ///< 0: all cores; does not change the result
-  std::optional<Ground> ground;  ///< rays end there; a reflection counts as a scattering
+  std::size_t threads = 0;                     ///< 0: all cores; does not change the result
+  const Surroundings* surroundings = nullptr;  ///< the caller ends the ray there; a reflection counts as a scattering
 };
 
 /// Independent batches of paths. Their spread gives the standard error.
@@ -58,5 +72,30 @@ inline constexpr std::size_t kScatteringBatches = 64;
 /// throws      std::invalid_argument naming field, value and rule
 ScatteredLight walk_scattering(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray,
                                const ScatteringWalk& walk = {});
+
+/// The paths of walk_scattering() one by one, for pictures.
+class ScatteringPaths {
+ public:
+  /// surroundings  null: none
+  /// throws        like walk_scattering
+  ScatteringPaths(const PlacedLight& light, const Atmosphere& atmosphere, const glm::dvec3& eye,
+                  const Surroundings* surroundings = nullptr);
+  ~ScatteringPaths();
+  ScatteringPaths(ScatteringPaths&&) noexcept;
+  ScatteringPaths& operator=(ScatteringPaths&&) noexcept;
+
+  /// An unbiased sample of M along a ray from the eye. A ray that ends at a surface has that length.
+  double scattered(const EyeRay& ray, std::uint64_t seed, std::uint64_t path) const;
+  /// An unbiased sample of the radiance of a white surface lit by light that was scattered or reflected elsewhere, in
+  /// the unit of airlight().
+  ///
+  /// normal  unit
+  double reflected(const glm::dvec3& position, const glm::dvec3& normal, std::uint64_t seed, std::uint64_t path) const;
+
+ private:
+  friend ScatteredLight walk_scattering(const PlacedLight&, const Atmosphere&, const EyeRay&, const ScatteringWalk&);
+  class Walk;
+  std::unique_ptr<const Walk> walk_;
+};
 
 }  // namespace litfog::measure

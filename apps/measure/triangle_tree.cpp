@@ -102,7 +102,8 @@ TriangleTree::TriangleTree(const scene::Scene& scene, const glm::dvec3& origin) 
       const bool is_masked = material != scene.materials.end() && material->least_coverage;
       const std::vector<std::uint32_t>& indices = part.mesh.indices;
       for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
-        Triangle& triangle = triangles_.emplace_back(Triangle{{}, is_masked ? masks_.size() : kNoMask});
+        Triangle& triangle = triangles_.emplace_back(
+            Triangle{{}, is_masked ? masks_.size() : kNoMask, std::uint32_t(material - scene.materials.begin())});
         if (is_masked) masks_.push_back({&*material, {}});
         for (std::size_t k = 0; k < 3; ++k) {
           const scene::Vertex& vertex = part.mesh.vertices[indices[i + k]];
@@ -163,7 +164,7 @@ void TriangleTree::search(const glm::dvec3& origin, const glm::dvec3& direction,
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
       const std::optional<Crossing> crossing = crossing_of(triangles_[i].corners, origin, direction);
       const bool is_between = crossing && crossing->distance >= first && crossing->distance <= last;
-      if (is_between && is_kept(triangles_[i], *crossing)) last = found(triangles_[i].corners, crossing->distance);
+      if (is_between && is_kept(triangles_[i], *crossing)) last = found(triangles_[i], crossing->distance);
     }
   }
 }
@@ -171,8 +172,9 @@ void TriangleTree::search(const glm::dvec3& origin, const glm::dvec3& direction,
 std::optional<TriangleTree::Hit> TriangleTree::nearest(const glm::dvec3& origin, const glm::dvec3& direction,
                                                        double first, double last) const {
   std::optional<Hit> hit;
-  search(origin, direction, first, last, [&](const Corners& triangle, double distance) {
-    hit = {distance, glm::normalize(glm::cross(triangle[1] - triangle[0], triangle[2] - triangle[0]))};
+  search(origin, direction, first, last, [&](const Triangle& triangle, double distance) {
+    const auto& [a, b, c] = triangle.corners;
+    hit = {distance, glm::normalize(glm::cross(b - a, c - a)), triangle.material};
     return distance;
   });
   return hit;
@@ -180,7 +182,7 @@ std::optional<TriangleTree::Hit> TriangleTree::nearest(const glm::dvec3& origin,
 
 bool TriangleTree::is_met(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last) const {
   bool is_met = false;
-  search(origin, direction, first, last, [&](const Corners&, double) {
+  search(origin, direction, first, last, [&](const Triangle&, double) {
     is_met = true;
     return -std::numeric_limits<double>::infinity();
   });

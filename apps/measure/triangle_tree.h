@@ -24,6 +24,7 @@ class TriangleTree {
   struct Hit {
     double distance;    ///< metres along the ray
     glm::dvec3 normal;  ///< the triangle's, on either side; unit
+    std::size_t material;  ///< index in the scene's; past its end if the scene has none of that name
   };
   /// The nearest triangle that a ray meets between two distances.
   ///
@@ -38,6 +39,7 @@ class TriangleTree {
   struct Triangle {
     Corners corners;
     std::size_t mask;  // kNoMask: none
+    std::uint32_t material;
   };
   static constexpr auto kNoMask = std::size_t(-1);
   struct Mask {
@@ -56,7 +58,7 @@ class TriangleTree {
                                              const glm::dvec3& direction);
   /// Whether the triangle has no mask, or its mask keeps the crossing.
   bool is_kept(const Triangle& triangle, const Crossing& crossing) const;
-  /// Calls found(corners, distance) for what the ray meets. It returns the distance up to which to search on.
+  /// Calls found(triangle, distance) for what the ray meets. It returns the distance up to which to search on.
   template <typename Found>
   void search(const glm::dvec3& origin, const glm::dvec3& direction, double first, double last,
               const Found& found) const;

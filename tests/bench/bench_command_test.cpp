@@ -248,6 +248,18 @@ TEST_F(BenchMeasurement, GlowIsThatOfTheReferenceAndOfTheRandomWalk) {
   EXPECT_TRUE(has(read("glow.svg"), "angle from the lamp (degrees)"));
 }
 
+#ifdef LITFOG_HAS_GL
+TEST_F(BenchMeasurement, ScenesInAllOrdersAreNearTracedPaths) {
+  expect_done("traced --quick --json traced.json --strip traced.png");
+  const Json rows = Json::parse(read("traced.json"))["rows"];
+  expect_columns(rows, {"scene", "visibility_m", "fog_light", "ratio_p10", "ratio_p50", "ratio_p90", "noise_p50"});
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_LT(rows[0]["ratio_p50"].get<double>(), 0.85) << rows[0];
+  EXPECT_NEAR(rows[1]["ratio_p50"].get<double>(), 1, 0.15) << rows[1];
+  EXPECT_TRUE(read("traced.png").starts_with("\x89PNG"));
+}
+#endif
+
 TEST_F(BenchMeasurement, RivalsOfTheAirlightConvergeToTheReference) {
   const Outcome outcome = expect_done("airlight --quick --format json");
   const Json document = Json::parse(outcome.out);
@@ -431,7 +443,7 @@ TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
   EXPECT_ERROR(run("speed"), kUsage,
                usage_message("benchmark = speed: must be one of "
-                             "solve|airlight|lamps|scattering|glow|update|load|fit|render|frames|rejection|maps|city"));
+                             "solve|airlight|lamps|scattering|glow|traced|update|load|fit|render|frames|rejection|maps|city"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);
