@@ -14,6 +14,7 @@
 #include <limits>
 #include <numbers>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <string_view>
 
@@ -43,7 +44,13 @@ inline std::string to_string(const SolveCase& c) {
 /// How many random cases a test draws that draws so many by default: the environment's LITFOG_TEST_SCALE times as many.
 inline int scaled_count(int by_default) {
   const char* const scale = std::getenv("LITFOG_TEST_SCALE");
-  return scale ? by_default * std::atoi(scale) : by_default;
+  if (!scale) return by_default;
+  char* end = nullptr;
+  const double times = std::strtod(scale, &end);
+  if (*end != '\0' || !(times >= 1 && times * by_default <= std::numeric_limits<int>::max())) {
+    throw std::invalid_argument("LITFOG_TEST_SCALE: must be at least 1, and at most 2^31 cases");
+  }
+  return int(times * by_default);
 }
 
 /// The same values on every machine and library: the standard's engine, no distribution of the library's.
