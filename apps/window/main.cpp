@@ -309,9 +309,7 @@ void App::draw(const std::string& shortcuts) {
     for (const char letter : shortcuts + typed) {
       if (letter == 'f') session_.is_false_colored = !session_.is_false_colored;
       if (letter == Window::kHelp) shows_keys_ = !shows_keys_;
-      if (letter == Window::kDelete && session_.picked && session_.is_removable(*session_.picked)) {
-        session_.remove(*session_.picked);
-      }
+      if (letter == Window::kDelete && session_.picked) session_.remove(*session_.picked);
       if (letter == 'Z') session_.undo();
       if (letter == 'Y') session_.redo();
     }
