@@ -7,6 +7,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -94,7 +95,8 @@ struct Scene {
   /// were in a scene file.
   std::vector<std::string> light_members;
   std::vector<std::size_t> light_entries;  ///< one per light: index in light_members
-  bool has_city = false;                   ///< lights and instances include a generated city's (model/city.h)
+  bool has_city = false;                   ///< its lights are the last ones, its instances among all (model/city.h)
+  std::set<std::size_t> city_without;      ///< City::without
   std::vector<Cookie> cookies;
   std::map<std::size_t, CookieUse> cookie_uses;  ///< by light; these lights have no cone
   std::map<std::size_t, Mount> mounts;           ///< by light; they give these lights' directions

@@ -4,8 +4,10 @@
 #include <imgui.h>
 
 #include <span>
+#include <string>
 
 #include "command/choice.h"
+#include "window/folder_listing.h"
 
 namespace litfog::window {
 
@@ -45,6 +47,14 @@ bool choose(const char* name, Value& value, const command::Choice<Value> (&choic
 /// speed    of dragging, per pixel
 /// returns  whether one has been changed
 bool drag(const char* name, std::span<double> values, double speed, const char* format);
+
+/// A popup over the window, in which a file is chosen.
+///
+/// is_asked  opens it, in the folder shown last; at first in the current one
+/// endings   as in list_folder()
+/// shown     kept between frames
+/// returns   the path of the file chosen in this frame; else empty
+std::string browse_files(const char* title, bool is_asked, std::span<const std::string> endings, FolderListing& shown);
 
 /// A small button that is grey if disabled.
 bool small_button(const char* text, bool is_enabled, const char* meaning);

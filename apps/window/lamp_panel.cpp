@@ -43,15 +43,13 @@ void draw_history(Session& session) {
   ImGui::SameLine();
   if (small_button("Reset", session.has_changes(), "All lamps as in the file")) session.reset_all();
   ImGui::SameLine();
-  const bool takes_more = session.takes_more_lights();
-  if (small_button("Add", takes_more,
-                   takes_more ? "Where the camera looks: one more of the picked lamp, or a plain one"
-                              : "A glTF file takes no other lamps")) {
+  if (small_button("Add", true, "Where the camera looks: one more of the picked lamp, or a plain one")) {
     add_lamp(session);
   }
   ImGui::SameLine();
-  const bool is_removable = session.picked && session.is_removable(*session.picked);
-  if (small_button("Remove", is_removable, "The picked lamp, with its copies (Del)")) session.remove(*session.picked);
+  if (small_button("Remove", session.picked.has_value(), "The picked lamp, with its copies; a city's alone (Del)")) {
+    session.remove(*session.picked);
+  }
 }
 
 void draw_list(Session& session, std::optional<std::size_t>& hovered) {
@@ -137,8 +135,9 @@ void draw_controls(Session& session, std::size_t index) {
                     2 * ImGui::GetStyle().FramePadding.x);
     if (ImGui::SmallButton(words)) session.reset(index);
   }
-  ImGui::TextDisabled("%s%s%s", placed.carried ? "carried" : "local", is_added ? ", added" : "",
-                      copies > 1 ? fmt::format(", {} copies", copies).c_str() : "");
+  ImGui::TextDisabled(
+      "%s%s%s", placed.carried ? "carried" : "local", is_added ? ", added" : "",
+      copies > 1 ? fmt::format(", {} copies{}", copies, session.is_of_city(index) ? ", moves alone" : "").c_str() : "");
   bool is_changed = slide("Constant", light.attenuation.constant, 0, 20, "%.4g", ImGuiSliderFlags_Logarithmic);
   is_changed |= slide("Linear", light.attenuation.linear, 0, 10, "%.4g / m", ImGuiSliderFlags_Logarithmic);
   is_changed |= slide("Quadratic", light.attenuation.quadratic, 0, 10, "%.4g / m\u00b2", ImGuiSliderFlags_Logarithmic);

@@ -8,6 +8,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <exception>
 #include <filesystem>
 #include <future>
 #include <memory>
@@ -309,9 +310,7 @@ void App::draw(const std::string& shortcuts) {
     for (const char letter : shortcuts + typed) {
       if (letter == 'f') session_.is_false_colored = !session_.is_false_colored;
       if (letter == Window::kHelp) shows_keys_ = !shows_keys_;
-      if (letter == Window::kDelete && session_.picked && session_.is_removable(*session_.picked)) {
-        session_.remove(*session_.picked);
-      }
+      if (letter == Window::kDelete && session_.picked) session_.remove(*session_.picked);
       if (letter == 'Z') session_.undo();
       if (letter == 'Y') session_.redo();
     }
@@ -452,15 +451,24 @@ struct Options {
 ExitStatus show(const CLI::App& app, Options& options) {
   if (app.count("SCENE") == 0) throw CLI::ValidationError("a scene must be given: see litfog-demo list scenes");
   check_options(app, drawing::drawing_rules(options.drawing));
-  scene::Scene scene = drawing::read_scene(options.scene);
+  auto reading = std::async([&options] { return drawing::read_scene(options.scene); });
+  std::optional<Window> window;  // opened while the scene is read, because each takes tenths of a second
+  std::exception_ptr no_window;
+  try {
+    window.emplace("litfog", options.drawing.width, options.drawing.height, app.count("--size") == 0);
+  } catch (const MissingCapability&) {
+    no_window = std::current_exception();
+  }
+  scene::Scene scene = reading.get();  // a wrong scene is reported rather than a missing display
   drawing::check_scene_options(app, scene);
-  Window window("litfog", options.drawing.width, options.drawing.height, app.count("--size") == 0);
+  if (no_window) std::rethrow_exception(no_window);
+  window->show();
   App shown(options.scene, std::move(scene), options.drawing);
-  while (!window.is_closed()) {
-    window.wait(shown.rest());
-    for (const std::string& file : window.take_dropped()) shown.open({.scene = file});
-    shown.draw(window.begin_frame());
-    window.end_frame();
+  while (!window->is_closed()) {
+    window->wait(shown.rest());
+    for (const std::string& file : window->take_dropped()) shown.open({.scene = file});
+    shown.draw(window->begin_frame());
+    window->end_frame();
   }
   return kDone;
 }

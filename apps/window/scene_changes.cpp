@@ -125,11 +125,9 @@ std::vector<scene::SceneChange> changes_of(const std::string& member, const Plac
 }
 
 std::string light_entry(const PlacedLight& light) {
-  Json own = Json::parse(format_light(light.light));
-  own.erase("litfog");  // only light files need these members
-  own.erase("version");
-  Json entry{{"light", own}, {"position", exact(light.position)}, {"direction", exact(light.direction)}};
-  if (light.carried) entry["carried"] = true;
+  Json entry = Json::parse(scene::light_entry(light));
+  entry["light"].erase("litfog");  // only light files need these members
+  entry["light"].erase("version");
   return entry.dump();
 }
 

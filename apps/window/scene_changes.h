@@ -17,7 +17,7 @@ namespace litfog::window {
 /// from, to  differ only in position, direction, attenuation, threshold, cone, colour and density scale
 std::vector<scene::SceneChange> changes_of(const std::string& member, const PlacedLight& from, const PlacedLight& to);
 
-/// A light as an item of a scene file's "lights".
+/// scene::light_entry() on one line, without the members that only light files need.
 std::string light_entry(const PlacedLight& light);
 
 /// The text of a scene file with changes, for another path: changed light files are written out in it, and all other

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "window/session.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <set>
 #include <utility>
 
-#include "scene/file/gltf_scene.h"
 #include "window/scene_changes.h"
 
 namespace litfog::window {
@@ -22,12 +25,7 @@ Session::Session(drawing::SceneOptions given, scene::Scene scene, const drawing:
     if (!each.visibility) each.visibility = scene::suggested_visibility(scene_);
   }
   Lamps lamps{.lights = scene_.lights, .entries = scene_.light_entries, .firsts = {}};
-  std::vector<bool> is_met(scene_.light_members.size());
-  for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
-    const std::size_t entry = scene_.light_entries[i];
-    if (!is_met[entry]) lamps.firsts.push_back(i);
-    is_met[entry] = true;
-  }
+  lamps.firsts = lamps.found_firsts();
   lamps_ = given_lamps_ = std::make_shared<const Lamps>(std::move(lamps));
 }
 
@@ -78,6 +76,12 @@ std::size_t Session::copies(std::size_t light) const {
 void Session::change(std::size_t light, const PlacedLight& changed) {
   Lamps lamps = *lamps_;
   const PlacedLight& before = lights()[light];
+  if (is_of_city(light) && (changed.position != before.position || changed.direction != before.direction)) {
+    lamps.remove(light);
+    lamps.add(changed, next_entry());
+    if (picked == light) picked = lights().size();
+    return take(std::move(lamps));
+  }
   const glm::dvec3 step = changed.position - before.position;
   for (std::size_t i = 0; i < lamps.lights.size(); ++i) {
     if (!are_copies(i, light)) continue;
@@ -108,32 +112,47 @@ bool Session::is_changed(std::size_t light) const {
   return is_added(light) || !changes_of("", scene_.lights[light], lights()[light]).empty();
 }
 
-bool Session::is_removable(std::size_t light) const {
-  return is_added(light) ||
-         (takes_more_lights() && scene_.light_members[scene_.light_entries[light]].starts_with("lights["));
+bool Session::is_movable(std::size_t light) const { return !scene_.mounts.contains(light); }
+
+bool Session::is_of_city(std::size_t light) const {
+  return !is_added(light) && scene_.light_members[scene_.light_entries[light]].starts_with("city.");
 }
-
-bool Session::is_movable(std::size_t light) const { return is_removable(light) && !scene_.mounts.contains(light); }
-
-bool Session::takes_more_lights() const { return !scene::is_gltf_path(scene_.files.front()); }
 
 void Session::add(const PlacedLight& light) {
   Lamps lamps = *lamps_;
-  const std::size_t members = scene_.light_members.size();
   picked = lamps.lights.size();
-  lamps.firsts.push_back(*picked);
-  lamps.entries.push_back(members + *picked - scene_.lights.size());
-  lamps.lights.push_back(light);
+  lamps.add(light, next_entry());
   take(std::move(lamps));
 }
 
 void Session::remove(std::size_t light) {
   Lamps lamps = *lamps_;
   for (std::size_t i = 0; i < lamps.lights.size(); ++i) {
-    if (are_copies(i, light)) lamps.lights[i].light.color = glm::dvec3(0);
+    if (i == light || (are_copies(i, light) && !is_of_city(light))) lamps.remove(i);
   }
-  std::erase_if(lamps.firsts, [&](std::size_t first) { return are_copies(first, light); });
   take(std::move(lamps));
+}
+
+void Session::Lamps::add(const PlacedLight& light, std::size_t entry) {
+  lights.push_back(light);
+  entries.push_back(entry);
+}
+
+void Session::Lamps::remove(std::size_t light) {
+  lights[light].light.color = glm::dvec3(0);
+  entries[light] = kRemoved;
+}
+
+std::vector<std::size_t> Session::Lamps::found_firsts() const {
+  std::vector<std::size_t> found;
+  std::vector<bool> is_met;
+  for (std::size_t i = 0; i < entries.size(); ++i) {
+    if (entries[i] == kRemoved) continue;
+    is_met.resize(std::max(is_met.size(), entries[i] + 1));
+    if (!is_met[entries[i]]) found.push_back(i);
+    is_met[entries[i]] = true;
+  }
+  return found;
 }
 
 void Session::take(Lamps lamps) {
@@ -142,6 +161,7 @@ void Session::take(Lamps lamps) {
   while (undone_to_.size() > 1 && undone_to_.size() * lights().size() > kMaxKept) undone_to_.erase(undone_to_.begin());
   redone_to_.clear();
   is_step_open_ = true;
+  lamps.firsts = lamps.found_firsts();
   lamps_ = std::make_shared<const Lamps>(std::move(lamps));
   forget_removed_pick();
 }
@@ -155,10 +175,7 @@ void Session::step_back(Steps& from, Steps& to) {
 }
 
 void Session::forget_removed_pick() {
-  if (picked && (*picked >= lights().size() ||
-                 std::ranges::none_of(firsts(), [this](std::size_t first) { return are_copies(first, *picked); }))) {
-    picked.reset();
-  }
+  if (picked && (*picked >= lights().size() || lamps_->entries[*picked] == kRemoved)) picked.reset();
 }
 
 std::vector<scene::SceneChange> Session::changes() const {
@@ -168,7 +185,7 @@ std::vector<scene::SceneChange> Session::changes() const {
   auto entries = std::size_t(
       std::ranges::count_if(members, [](const std::string& member) { return member.starts_with("lights["); }));
   std::vector<bool> is_removed(members.size());
-  for (const std::size_t i : given_lamps_->firsts) is_removed[scene_.light_entries[i]] = true;
+  for (const std::size_t i : given_lamps_->firsts) is_removed[scene_.light_entries[i]] = !is_of_city(i);
   for (const std::size_t i : firsts()) {
     if (is_added(i)) {
       all.push_back({"lights[" + std::to_string(entries++) + "]", light_entry(lights()[i])});
@@ -180,6 +197,17 @@ std::vector<scene::SceneChange> Session::changes() const {
   }
   for (std::size_t entry = members.size(); entry-- > 0;) {  // backwards, so that no removal shifts a later index
     if (is_removed[entry]) all.push_back({members[entry], "null"});
+  }
+  std::set<std::size_t> without = scene_.city_without;
+  std::size_t in_city = 0;  // index in the list that `without` means
+  for (std::size_t i = 0; i < scene_.lights.size(); ++i) {
+    if (!is_of_city(i)) continue;
+    while (scene_.city_without.contains(in_city)) ++in_city;
+    if (lamps_->entries[i] == kRemoved) without.insert(in_city);
+    ++in_city;
+  }
+  if (without != scene_.city_without) {
+    all.push_back({"city.without", fmt::format("[{}]", fmt::join(without, ", "))});
   }
   return all;
 }

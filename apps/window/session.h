@@ -62,7 +62,8 @@ class Session {
   const std::vector<std::size_t>& firsts() const { return lamps_->firsts; }
   /// Whether two lights are one, or copies of each other.
   bool are_copies(std::size_t a, std::size_t b) const { return lamps_->entries[a] == lamps_->entries[b]; }
-  /// Replaces a light and its copies. The copies keep their names, and move with it.
+  /// Replaces a light and its copies. The copies keep their names, and move with it. A city's light moves alone: it
+  /// becomes an added light, which is picked if it was.
   ///
   /// changed  valid (find_error())
   void change(std::size_t light, const PlacedLight& changed);
@@ -71,13 +72,11 @@ class Session {
   bool is_added(std::size_t light) const { return light >= scene_.lights.size(); }
   bool is_changed(std::size_t light) const;  ///< or added
   bool has_changes() const { return lamps_ != given_lamps_; }
-  /// Whether an item of a scene file's "lights" states the light, not a glTF file or a city.
-  bool is_removable(std::size_t light) const;
-  bool is_movable(std::size_t light) const;  ///< also in the world: not on a vehicle
-  bool takes_more_lights() const;
+  bool is_movable(std::size_t light) const;  ///< in the world: not on a vehicle
+  bool is_of_city(std::size_t light) const;
   /// Adds a light and picks it.
   void add(const PlacedLight& light);
-  void remove(std::size_t light);  ///< with its copies
+  void remove(std::size_t light);  ///< with its copies, but a city's alone
 
   // Undo and redo of all changes of lights. Changes until end_step() are one step.
   bool can_undo() const { return !undone_to_.empty(); }
@@ -101,11 +100,18 @@ class Session {
  private:
   struct Lamps {
     std::vector<PlacedLight> lights;
-    std::vector<std::size_t> entries;  // one per light: Scene::light_entries, then a new number for each added light
-    std::vector<std::size_t> firsts;
+    std::vector<std::size_t> entries;  // one per light: Scene::light_entries, a number of each added light, or kRemoved
+    std::vector<std::size_t> firsts;   // found_firsts()
+
+    void add(const PlacedLight& light, std::size_t entry);
+    void remove(std::size_t light);
+    std::vector<std::size_t> found_firsts() const;
   };
+  static constexpr auto kRemoved = std::size_t(-1);
   using Steps = std::vector<std::shared_ptr<const Lamps>>;
 
+  /// The entry of a light that is added next.
+  std::size_t next_entry() const { return scene_.light_members.size() + lights().size() - scene_.lights.size(); }
   void take(Lamps lamps);
   void step_back(Steps& from, Steps& to);
   void forget_removed_pick();

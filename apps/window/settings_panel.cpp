@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <glm/glm.hpp>
+#include <utility>
 
 #include "command/number.h"
 #include "litfog/input_error.h"
@@ -97,9 +98,18 @@ void draw_phase(drawing::DrawingOptions& options) {
 std::string draw_layers(drawing::DrawingOptions& options) {
   label("Layers");
   std::string file = options.layers_file;
-  const bool is_entered =
+  ImGui::SetNextItemWidth(-3 * ImGui::GetFontSize());
+  bool is_entered =
       ImGui::InputTextWithHint("##layers", "the scene's; a file, or none", &file, ImGuiInputTextFlags_EnterReturnsTrue);
   explain("A file of layers of fog that replace the scene's, taken by Enter");
+  ImGui::SameLine();
+  static const std::string kEndings[] = {".json"};
+  static FolderListing listing;
+  const std::string picked = browse_files("layers", ImGui::Button("...", {-FLT_MIN, 0}), kEndings, listing);
+  if (!picked.empty()) {
+    file = picked;
+    is_entered = true;
+  }
   if (!is_entered || file == options.layers_file) return "";
   try {
     if (!file.empty()) drawing::take_layers(options, file);
@@ -230,9 +240,12 @@ void draw_camera(Session& session) {
 
 /// Returns the scene to open, or an empty text.
 std::string pick_scene(const scene::Scene& scene) {
-  std::string picked;
+  static const std::string kEndings[] = {".json", ".gltf", ".glb"};
+  static FolderListing listing;
+  static bool browses = false;
+  std::string picked = browse_files("scene files", std::exchange(browses, false), kEndings, listing);
   ImGui::SetNextItemWidth(-FLT_MIN);
-  if (!ImGui::BeginCombo("##scene", scene.name.c_str(), ImGuiComboFlags_HeightLarge)) return "";
+  if (!ImGui::BeginCombo("##scene", scene.name.c_str(), ImGuiComboFlags_HeightLarge)) return picked;
   static std::string path;
   ImGui::SetNextItemWidth(-FLT_MIN);
   if (ImGui::InputTextWithHint("##path", "a scene or glTF file", &path, ImGuiInputTextFlags_EnterReturnsTrue)) {
@@ -240,6 +253,7 @@ std::string pick_scene(const scene::Scene& scene) {
     ImGui::CloseCurrentPopup();
   }
   explain("Or drop a file on the window");
+  browses = ImGui::Selectable("Browse files...");  // its popup opens when the list has closed
   const auto list = [&picked](const char* title, const std::vector<std::string>& scenes) {
     ImGui::TextDisabled("%s", title);
     for (const std::string& each : scenes) {

@@ -108,7 +108,7 @@ Window::Window(const std::string& title, int width, int height, bool is_size_kep
   glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
   glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
   glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
-  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);  // until it has its size
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
   std::tie(width, height) = fitted(width, height);
   window_ = glfwCreateWindow(width, height, title.c_str(), nullptr, nullptr);
   if (!window_) {
@@ -124,7 +124,6 @@ Window::Window(const std::string& title, int width, int height, bool is_size_kep
   io.IniFilename = layout_file_.empty() ? nullptr : layout_file_.c_str();
   keep_size(window_, is_size_kept);
   if (io.IniFilename) ImGui::LoadIniSettingsFromDisk(io.IniFilename);
-  glfwShowWindow(window_);
   float scale = 1;
   glfwGetWindowContentScale(window_, &scale, nullptr);
   set_style(scale);
@@ -154,6 +153,8 @@ Window::~Window() {
   glfwDestroyWindow(window_);
   glfwTerminate();
 }
+
+void Window::show() { glfwShowWindow(window_); }
 
 bool Window::is_closed() const { return glfwWindowShouldClose(window_); }
 

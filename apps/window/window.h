@@ -10,7 +10,7 @@ struct GLFWwindow;
 namespace litfog::window {
 
 /// A window on a display with an OpenGL 3.3 context, current on the calling thread, and Dear ImGui in it. One at a
-/// time.
+/// time. Hidden until show().
 class Window {
  public:
   /// width, height  in the display's units; limited to the display's size
@@ -24,6 +24,7 @@ class Window {
   static constexpr char kHelp = '?';  ///< F1
   static constexpr char kDelete = 127;
 
+  void show();
   bool is_closed() const;
   /// Waits for an event or wake(), at most for a time in seconds. Does not wait just after an event, because controls
   /// take a few frames to settle.

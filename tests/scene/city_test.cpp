@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <span>
 
+#include "core/value_errors.h"
+#include "litfog/input_error.h"
 #include "scene/file/scene_file.h"
 #include "scene/model/house.h"
 
@@ -96,6 +98,24 @@ TEST(City, SceneFileMayHaveACityAlone) {
   EXPECT_EQ(read_scene(bundled_scene_path("city"), 20'000).lights.size(), 20'000u);
   EXPECT_TRUE(read_scene(bundled_scene_path("city"), 10).has_city);
   EXPECT_FALSE(read_scene(bundled_scene_path("room"), 10).has_city);
+}
+
+TEST(City, LightsWithoutWhichItShinesMoveNoOther) {
+  const std::string path = bundled_scene_path("city");
+  const Scene all = read_scene(path, 10);
+  const Scene scene = read_scene(path, 10, {{"city.without", "[9, 0, 3, 3, 50]"}});
+  EXPECT_EQ(scene.city_without, (std::set<std::size_t>{0, 3, 9, 50}));
+  ASSERT_EQ(scene.lights.size(), 7u);
+  for (std::size_t i = 0; i < 7; ++i) {
+    const std::size_t k = i < 2 ? i + 1 : i + 2;
+    EXPECT_TRUE(is_same(scene.lights[i], all.lights[k])) << i;
+    EXPECT_EQ(scene.light_entries[i], all.light_entries[k]) << i;
+  }
+  const auto error = [&](const std::string& without) {
+    return sentence_of<InputError>([&] { read_scene(path, 10, {{"city.without", without}}); });
+  };
+  EXPECT_EQ(error("[1.5]"), "--set: city.without[0] = 1.5: must be a whole number");
+  EXPECT_EQ(error("[100000]"), "--set: city.without[0] = 100000: must be in [0, 99999]");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include <utility>
 
 #include "core/value_errors.h"
+#include "litfog/files/light_file.h"
 #include "reference/random_light.h"
 #include "scene/gltf_floor.h"
 
@@ -127,9 +128,36 @@ TEST_F(GltfFeature, LightsChangeAsIfASceneFileStatedThem) {
   };
   EXPECT_EQ(error("lights[0].threshold", "7"), "--set: lights[0].light.threshold = 7: must be in (0, 1); 7 % is 0.07");
   EXPECT_EQ(error("lights[1].threshold", "0.1"), "--set: lights[1]: is not there: the last one is lights[0]");
-  EXPECT_EQ(error("lights[0].position", "[1, 2, 3]"), "--set: \"position\": must be one of light, color");
+  EXPECT_EQ(error("lights[0].position", "[1, 2]"),
+            "--set: lights[0].position = an array: must be an array of three numbers");
   EXPECT_EQ(error("fog_top_m", "9"),
             "--set: fog_top_m: must be a member of a light, such as lights[0].color: a glTF file has no others");
+}
+
+TEST_F(GltfFeature, LightsAreMovedAddedAndRemovedAndOthersStayExact) {
+  const PlacedLight first = read_file().lights.at(0);
+  const std::string place = path("scene.gltf");
+  const std::string second = R"({"light": {"attenuation": {"quadratic": 2}}, "position": [4, 5, 6], "carried": true})";
+  Scene scene = read_scene(place, {}, {{"lights[1]", second}});
+  ASSERT_EQ(scene.lights.size(), 2u);
+  EXPECT_EQ(scene.light_members, (std::vector<std::string>{"lights[0]", "lights[1]"}));
+  EXPECT_EQ(scene.light_entries, (std::vector<std::size_t>{0, 1}));
+  EXPECT_EQ(light_entry(scene.lights[0]), light_entry(first));
+  EXPECT_EQ(scene.lights[1].position, glm::dvec3(4, 5, 6));
+  EXPECT_TRUE(scene.lights[1].carried);
+  scene = read_scene(place, {}, {{"lights[1]", second}, {"lights[0].position", "[1, 2, 3]"}});
+  EXPECT_EQ(scene.lights.at(0).position, glm::dvec3(1, 2, 3));
+  EXPECT_EQ(format_light(scene.lights[0].light), format_light(first.light));
+  scene = read_scene(place, {},
+                     {{"lights[1]", second},
+                      {"lights[0]", "null"},
+                      {"lights[1]", light_entry(first)},
+                      {"lights[0].threshold", "0.25"}});
+  ASSERT_EQ(scene.lights.size(), 2u);
+  EXPECT_EQ(scene.lights[0].light.threshold, 0.25);
+  EXPECT_EQ(scene.lights[0].light.attenuation.quadratic, 2);
+  EXPECT_EQ(light_entry(scene.lights[1]), light_entry(first));
+  EXPECT_EQ(read_scene(place, {}, {{"lights[0]", "null"}}).lights.size(), 0u);
 }
 
 TEST_F(GltfFeature, EmissionKeepsItsTexelsAndItsStrength) {

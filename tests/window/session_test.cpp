@@ -8,7 +8,9 @@
 #include <string_view>
 
 #include "command/temporary_directory.h"
+#include "litfog/files/light_file.h"
 #include "scene/file/scene_file.h"
+#include "scene/gltf_bytes.h"
 #include "window/visibility_preset.h"
 
 namespace litfog::test {
@@ -201,6 +203,66 @@ TEST(Session, LightsOfACityChangeWithAllOfTheirKind) {
   const scene::Scene again = scene::read_scene(path, {}, changes);
   for (std::size_t i = 0; i <= last; ++i) {
     EXPECT_EQ(again.lights[i].light.threshold, session.lights()[i].light.threshold) << i;
+  }
+}
+
+TEST(Session, LightsOfAGltfFileMoveComeAndGoAndTheReaderAgrees) {
+  const TemporaryDirectory directory;
+  const std::string path = (directory.path() / "floor.gltf").string();
+  json file = floor_scene();
+  file["buffers"][0]["uri"] = "data:application/octet-stream;base64," + base64(floor_bytes());
+  std::ofstream(path) << file;
+  Session session({.scene = path}, scene::read_scene(path), {});
+  ASSERT_EQ(session.lights().size(), 1u);
+  PlacedLight light = session.lights()[0];
+  light.position = {1, 2, 3};
+  session.change(0, light);
+  session.end_step();
+  session.add(light);
+  EXPECT_EQ(scene::read_scene(path, {}, session.changes()).lights.at(0).position, light.position);
+  session.end_step();
+  session.remove(0);
+  const scene::Scene again = scene::read_scene(path, {}, session.changes());
+  ASSERT_EQ(again.lights.size(), 1u);
+  EXPECT_EQ(again.lights[0].position, light.position);
+  EXPECT_EQ(again.lights[0].direction, light.direction);
+  EXPECT_EQ(format_light(again.lights[0].light), format_light(light.light));
+  for (int i = 0; i < 3; ++i) session.undo();
+  EXPECT_FALSE(session.has_changes());
+}
+
+TEST(Session, LightOfACityMovesAndGoesAloneAndTheReaderAgrees) {
+  const std::string path = scene::bundled_scene_path("city");
+  scene::Scene scene = scene::read_scene(path);
+  const std::vector<PlacedLight> given = scene.lights;
+  drawing::SceneOptions options{.scene = "city"};
+  // The same twice: of the scene as it is, and of the one that the first changes give.
+  for (const std::size_t before : {0u, 2u}) {
+    Session session(options, scene, {});
+    const std::size_t count = session.lights().size();
+    session.picked = 5;
+    PlacedLight light = session.lights()[5];
+    for (const double x : {1.0, 2.0}) {  // a drag
+      light.position = {x, 9, 4};
+      session.change(*session.picked, light);
+    }
+    EXPECT_EQ(session.picked, count);
+    ASSERT_EQ(session.lights().size(), count + 1);
+    EXPECT_EQ(session.lights()[5].light.color, glm::dvec3(0));
+    EXPECT_EQ(session.copies(count), 1u);
+    session.end_step();
+    const std::size_t first = *std::ranges::find_if(session.firsts(), [&](auto i) { return session.is_of_city(i); });
+    const std::size_t copies = session.copies(first);
+    session.remove(first);
+    EXPECT_EQ(session.copies(first + 1), copies - 1);
+    options.changes = session.changes();
+    scene = scene::read_scene(path, {}, options.changes);
+    ASSERT_EQ(scene.lights.size(), given.size() - 1 - before / 2);
+    EXPECT_EQ(scene.lights[before / 2].position, light.position);
+    session.undo();
+    EXPECT_EQ(session.copies(first), copies);
+    session.undo();
+    EXPECT_FALSE(session.has_changes());
   }
 }
 

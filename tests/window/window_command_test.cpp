@@ -341,6 +341,25 @@ TEST_F(WindowCommand, ScenesAreOpenedAndReadAgainAndPanelsKeepTheirSizes) {
   EXPECT_TRUE(read("litfog/recent").ends_with("/yard.json\n")) << read("litfog/recent");
   EXPECT_TRUE(has(read("litfog/recent"), "/other.json\n"));
 
+  std::filesystem::create_directory(directory() / "deep");
+  write("deep/deep.json", scene("deep", "[1, 1, 1]"));
+  click(100, 20);
+  click(100, 73);  // browses files
+  click(236, 91);  // the first folder
+  click(236, 91);  // its only file
+  EXPECT_TRUE(wait_for([this] {
+    steer("key ctrl+c");
+    return has(next_line(), "/deep/deep.json ");
+  }));
+  click(100, 20);
+  click(100, 73);
+  click(236, 72);   // the folder above
+  click(236, 129);  // a file in it, after the folders deep and litfog
+  EXPECT_TRUE(wait_for([this] {
+    steer("key ctrl+c");
+    return has(next_line(), "/other.json ");
+  }));
+
   write("other.json", scene("other", "[3, 0.5, 0.5]"));
   std::this_thread::sleep_for(std::chrono::seconds(3));  // it looks twice a second
   steer("mousemove 20 470");

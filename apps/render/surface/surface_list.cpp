@@ -81,7 +81,8 @@ double most_emitted(const scene::Material& material, const Largest& most) {
 /// Uploads a scene's materials, sorted by name.
 ///
 /// earlier  kept where names agree
-std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, std::vector<SurfaceMaterial> earlier = {}) {
+std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, bool has_normal_maps,
+                                    std::vector<SurfaceMaterial> earlier = {}) {
   std::ranges::sort(materials, {}, &scene::Material::name);
   TextureStore textures;
   std::vector<SurfaceMaterial> uploaded;
@@ -100,7 +101,8 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, std:
     const bool has_flat_normals = is_flat(*material.normal);
     auto albedo = material.plain_albedo ? std::make_shared<const Texture>(glm::vec4(*material.plain_albedo, 1.0f))
                                         : textures.upload(material.albedo, Texture::Encoding::srgb);
-    auto normal = textures.upload(material.normal, Texture::Encoding::linear);
+    std::shared_ptr<const Texture> normal;
+    if (has_normal_maps) normal = textures.upload(material.normal, Texture::Encoding::linear);
     std::shared_ptr<const Texture> emission;
     if (material.emission) emission = textures.upload(material.emission, Texture::Encoding::srgb);
     std::shared_ptr<const Texture> second;
@@ -117,14 +119,16 @@ std::vector<SurfaceMaterial> upload(std::vector<scene::Material> materials, std:
 
 }  // namespace
 
-SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping)
-    : materials_(upload(scene.materials)), meshes_(upload_meshes(scene)) {
+SurfaceList::SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping, bool has_normal_maps)
+    : has_normal_maps_(has_normal_maps),
+      materials_(upload(scene.materials, has_normal_maps)),
+      meshes_(upload_meshes(scene)) {
   set_lights(scene, lights, skipping);
 }
 
 void SurfaceList::set_objects(const scene::Scene& scene) {
   surfaces_.clear();  // they point into what is replaced below
-  materials_ = upload(scene.materials, std::move(materials_));
+  materials_ = upload(scene.materials, has_normal_maps_, std::move(materials_));
   meshes_ = upload_meshes(scene);
 }
 

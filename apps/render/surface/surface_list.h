@@ -20,14 +20,14 @@ namespace litfog::render {
 
 /// A material with its textures on the GPU.
 struct SurfaceMaterial {
-  scene::Material material;               ///< without its texels
-  float number;                           ///< position in the order of materials
-  double reflectance;                     ///< largest component of diffuse plus specular reflectance
-  double ambient;                         ///< largest component of the reflectance of ambient light
-  double emitted;                         ///< largest component of its own light, linear
-  bool is_flat;                           ///< all texels of its normal map are flat
-  std::shared_ptr<const Texture> albedo;  ///< shared by materials with the same texels
-  std::shared_ptr<const Texture> normal;
+  scene::Material material;                 ///< without its texels
+  float number;                             ///< position in the order of materials
+  double reflectance;                       ///< largest component of diffuse plus specular reflectance
+  double ambient;                           ///< largest component of the reflectance of ambient light
+  double emitted;                           ///< largest component of its own light, linear
+  bool is_flat;                             ///< all texels of its normal map are flat
+  std::shared_ptr<const Texture> albedo;    ///< shared by materials with the same texels
+  std::shared_ptr<const Texture> normal;    ///< null: not used
   std::shared_ptr<const Texture> emission;  ///< null: none
   std::shared_ptr<const Texture> second;    ///< null: none
 
@@ -54,9 +54,10 @@ struct Surface {
 /// current GL context.
 class SurfaceList {
  public:
-  /// throws  gl::Unsupported where this OpenGL cannot hold the light lists; std::invalid_argument where the scene lacks
-  ///         a part's material
-  SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping);
+  /// has_normal_maps  false uploads none
+  /// throws           gl::Unsupported where this OpenGL cannot hold the light lists; std::invalid_argument where the
+  ///                  scene lacks a part's material
+  SurfaceList(const scene::Scene& scene, const SceneLights& lights, Skipping skipping, bool has_normal_maps = true);
 
   /// Applies a change of the scene's objects. A material whose name has been used before stays as it was. Must be
   /// followed by set_lights().
@@ -99,6 +100,7 @@ class SurfaceList {
   const SurfaceMaterial& material(const std::string& name) const;
   MeshStore upload_meshes(const scene::Scene& scene) const;
 
+  bool has_normal_maps_;
   std::vector<SurfaceMaterial> materials_;  // sorted by name
   MeshStore meshes_;
   double reach_ = 1;

@@ -124,7 +124,7 @@ SurfacePainter::SurfacePainter(const scene::Scene& scene, const SceneLights& lig
       lights_(lights),
       fog_light_buffer_(fog_lights),
       settings_(settings),
-      surfaces_(scene, lights, settings.path_skipping()),
+      surfaces_(scene, lights, settings.path_skipping(), settings.path->has_normal_maps),
       maps_(scene, lights, settings),
       programs_(scene, settings) {}
 
@@ -377,7 +377,7 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
   if (&material != frame.bound) {
     frame.bound = &material;
     material.albedo->bind(kAlbedoUnit);
-    material.normal->bind(kNormalUnit);
+    if (material.normal) material.normal->bind(kNormalUnit);
     if (material.emission) material.emission->bind(kEmissionUnit);
     if (material.second) material.second->bind(kSecondUnit);
   }

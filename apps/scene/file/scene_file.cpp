@@ -112,8 +112,8 @@ double number_in_or(const JsonValue& object, std::string_view name, double low, 
   return value ? number_in(*value, low, high) : absent;
 }
 
-std::size_t count_in(const JsonValue& value, std::size_t most) {
-  const double count = number_in(value, 1, double(most));
+std::size_t count_in(const JsonValue& value, std::size_t most, std::size_t least = 1) {
+  const double count = number_in(value, double(least), double(most));
   if (count != std::floor(count)) value.fail("must be a whole number");
   return std::size_t(count);
 }
@@ -241,6 +241,16 @@ JsonValue changed_value(const SceneChange& change) {
                            fmt::format("{} {}", kChangePlace, change.member));
 }
 
+/// The index of the light that a change of a glTF file means; none if it is not a number.
+std::optional<std::size_t> changed_light(const SceneChange& change) {
+  constexpr std::string_view kLights = "lights[";
+  if (!change.member.starts_with(kLights)) {
+    throw InputError({.file = kChangePlace}, change.member, "",
+                     "must be a member of a light, such as lights[0].color: a glTF file has no others");
+  }
+  return command::parse_integer(change.member.substr(kLights.size(), change.member.find(']') - kLights.size()));
+}
+
 /// Reads scenes; shares light files and models between the entries that name them.
 class SceneReader {
  public:
@@ -249,10 +259,7 @@ class SceneReader {
       : folder_(std::filesystem::path(path).parent_path()), kept_(kept) {
     scene_.files.push_back(path);
     JsonValue root = files::read_json(path);
-    for (const SceneChange& change : changes) {
-      root = files::with_value(root, changed_member(change.member), changed_value(change), kChangePlace,
-                               [this](const JsonValue& link) { return linked_light(link); });
-    }
+    for (const SceneChange& change : changes) root = changed(root, change);
     expect_header(root, "scene", 1);
     root.allow_only({"litfog", "version", "name", "description", "camera", "environment", "visibilities_m",
                      "lit_at_vertices", "fog_top_m", "phase_g", "atmosphere", "display", "vehicle", "lights", "city",
@@ -290,9 +297,51 @@ class SceneReader {
     if (kept_) *kept_ = std::move(used_);
   }
 
+  /// Changes a glTF file's lights.
+  SceneReader(Scene gltf, const std::vector<SceneChange>& changes)
+      : folder_(std::filesystem::path(gltf.files.front()).parent_path()), kept_(nullptr), scene_(std::move(gltf)) {
+    const std::string& file = scene_.files.front();
+    const std::vector<PlacedLight> given = std::exchange(scene_.lights, {});
+    scene_.light_members.clear();
+    scene_.light_entries.clear();
+    std::vector<std::optional<std::size_t>> unchanged;  // by item, the index in `given`; the item is then empty
+    std::string items;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+      unchanged.push_back(i);
+      items += i == 0 ? "{}" : ", {}";
+    }
+    JsonValue root = files::parse_json("{\"lights\": [" + items + "]}", file);
+    for (const SceneChange& change : changes) {
+      const std::size_t index = changed_light(change).value_or(unchanged.size());
+      if (index < unchanged.size() && unchanged[index]) {
+        const JsonValue entry = files::parse_json(light_entry(given[*unchanged[index]]), file);
+        root = files::with_value(root, fmt::format("lights[{}]", index), entry, file);
+        unchanged[index].reset();
+      }
+      root = changed(root, change);
+      const std::size_t count = root.member("lights").items().size();
+      if (count < unchanged.size()) unchanged.erase(unchanged.begin() + std::ptrdiff_t(index));
+      unchanged.resize(count);
+    }
+    const std::vector<JsonValue> lights = root.member("lights").items();
+    for (std::size_t i = 0; i < lights.size(); ++i) {
+      if (!unchanged[i]) {
+        read_light_entry(lights[i]);
+        continue;
+      }
+      scene_.light_members.push_back(lights[i].path());
+      add_light(lights[i], given[*unchanged[i]]);
+    }
+  }
+
   Scene take() { return std::move(scene_); }
 
  private:
+  JsonValue changed(const JsonValue& root, const SceneChange& change) {
+    return files::with_value(root, changed_member(change.member), changed_value(change), kChangePlace,
+                             [this](const JsonValue& link) { return linked_light(link); });
+  }
+
   void read_name(const JsonValue& root, const std::string& absent) {
     constexpr const char* kRule =
         "must not be empty, start with a dot or hold '/' or control characters: files take it";
@@ -386,18 +435,23 @@ class SceneReader {
     if (const auto carried = value.optional("carried")) light.carried = carried->boolean();
     scene_.light_members.push_back(value.path());
     for (const glm::dvec3& position : read_repeat(value, light.position)) {
-      scene_.light_entries.push_back(scene_.light_members.size() - 1);
       light.position = position;
       if (cookie) scene_.cookie_uses.emplace(scene_.lights.size(), *cookie);
       if (mount) scene_.mounts.emplace(scene_.lights.size(), *mount);
       if (turn_rate != 0) scene_.turn_rates.emplace(scene_.lights.size(), turn_rate);
-      scene_.lights.push_back(light);
-      if (scene_.lights.size() > kMaxSceneLights) {
-        value.fail("lights", "", fmt::format("must be at most {}", kMaxSceneLights));
-      }
-      if (light.carried && ++carried_ > kMaxFogLights) {
-        value.fail("lights", "", fmt::format("must be at most {} that are carried", kMaxFogLights));
-      }
+      add_light(value, light);
+    }
+  }
+
+  /// Adds a light that the last member states.
+  void add_light(const JsonValue& value, const PlacedLight& light) {
+    scene_.light_entries.push_back(scene_.light_members.size() - 1);
+    scene_.lights.push_back(light);
+    if (scene_.lights.size() > kMaxSceneLights) {
+      value.fail("lights", "", fmt::format("must be at most {}", kMaxSceneLights));
+    }
+    if (light.carried && ++carried_ > kMaxFogLights) {
+      value.fail("lights", "", fmt::format("must be at most {} that are carried", kMaxFogLights));
     }
   }
 
@@ -413,7 +467,7 @@ class SceneReader {
   }
 
   void read_city(const JsonValue& value, std::optional<std::size_t> lights) {
-    std::vector<std::string_view> members{"lights", "seed"};
+    std::vector<std::string_view> members{"lights", "seed", "without"};
     for (const CityLightKind& kind : kCityLightKinds) members.emplace_back(kind.name);
     value.allow_only(members);
     City city;
@@ -421,7 +475,11 @@ class SceneReader {
     if (lights) city.lights = *lights;
     city.seed = std::uint32_t(number_in_or(value, "seed", 0, kMaxSeed, city.seed));
     for (const CityLightKind& kind : kCityLightKinds) city.*kind.light = read_kind(value.member(kind.name));
+    if (const auto without = value.optional("without")) {
+      for (const JsonValue& light : without->items()) city.without.insert(count_in(light, kMaxCityLights - 1, 0));
+    }
     scene_.has_city = true;
+    scene_.city_without = city.without;
     try {
       add_city(scene_, city);
     } catch (const std::invalid_argument& error) {
@@ -587,43 +645,15 @@ class SceneReader {
   std::size_t carried_ = 0;
 };
 
-/// Changes lights of a glTF file, as if a scene file stated each of them.
-void change_lights(Scene& scene, const std::vector<SceneChange>& changes) {
-  std::set<std::size_t> changed;
-  for (const SceneChange& change : changes) {
-    if (!change.member.starts_with("lights[")) {
-      throw InputError({.file = kChangePlace}, change.member, "",
-                       "must be a member of a light, such as lights[0].color: a glTF file has no others");
-    }
-    const std::size_t begin = change.member.find('[') + 1;
-    const auto index = command::parse_integer(change.member.substr(begin, change.member.find(']') - begin));
-    if (index && *index >= 0) changed.insert(std::size_t(*index));  // else with_value() throws
-  }
-  if (changes.empty()) return;
-  std::string entries;
-  for (std::size_t i = 0; i < scene.lights.size(); ++i) {
-    entries += i == 0 ? "" : ", ";
-    entries += changed.contains(i) ? fmt::format("{{\"light\": {}}}", format_light(scene.lights[i].light)) : "{}";
-  }
-  JsonValue root = files::parse_json(fmt::format("{{\"lights\": [{}]}}", entries), scene.files.front());
-  for (const SceneChange& change : changes) {
-    root = files::with_value(root, changed_member(change.member), changed_value(change), kChangePlace);
-  }
-  const std::vector<JsonValue> stated = root.member("lights").items();
-  if (stated.size() != scene.lights.size()) {
-    throw InputError({.file = kChangePlace}, "lights", "", "must be as many as a glTF file has");
-  }
-  for (const std::size_t i : changed) {
-    stated[i].allow_only({"light", "color"});
-    const JsonValue light = stated[i].member("light");
-    scene.lights[i].light = checked(light, files::parse_light(light));
-    scene.lights[i].light.color = color_or(stated[i], "color", scene.lights[i].light.color);
-  }
-}
-
 std::filesystem::path scene_folder() { return command::bundled_folder("scenes"); }
 
 }  // namespace
+
+std::string light_entry(const PlacedLight& light) {
+  const auto vector = [](const glm::dvec3& v) { return fmt::format("[{}, {}, {}]", v.x, v.y, v.z); };
+  return fmt::format(R"({{"light": {}, "position": {}, "direction": {}{}}})", format_light(light.light),
+                     vector(light.position), vector(light.direction), light.carried ? R"(, "carried": true)" : "");
+}
 
 std::string changed_member(const std::string& member) {
   constexpr std::size_t kLongest = 200;  // longer than any member's path; errors quote it
@@ -654,7 +684,7 @@ Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights
     scene = read_gltf_scene(path);
     if (kept) *kept = {.gltf_scenes = {{path, scene}}};
   }
-  change_lights(scene, changes);
+  if (!changes.empty()) scene = SceneReader(std::move(scene), changes).take();
   static std::set<std::string> told;  // once, though a program may draw the file again and again
   const std::string line = command::printable(fmt::format("{}: left out: {}", path, scene.left_out));
   if (!scene.left_out.empty() && told.insert(line).second) fmt::print(stderr, "{}\n", line);

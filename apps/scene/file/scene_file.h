@@ -66,6 +66,7 @@ namespace litfog::scene {
 ///       }],
 ///       "city": {                                         optional: a generated city around the origin (model/city.h)
 ///         "lights": 1000, "seed": 1,                      how many shine, [1, 100000]; optional: 1000, 1
+///         "without": [0, 17],                             optional: indices of those of them that do not
 ///         "street_lamp": "../lights/street-lamp.json",    its kinds of lights, as above: also headlight, tail_lamp,
 ///         ...                                             shop_window, window, runway_edge, approach_light
 ///       },
@@ -87,7 +88,7 @@ namespace litfog::scene {
 ///     {"lights[0].carried", "true"}
 ///     {"lights[0].attenuation.quadratic", "0.002"}      the light's, even if lights[0].light is a file's name; other
 ///     {"city.window.threshold", "0.1"}                  lights from that file do not change
-///     {"lights[1].threshold", "0.1"}                    in a glTF file: its second light, in terms of a light file
+///     {"lights[1].threshold", "0.1"}                    in a glTF file: its second light, as if an entry stated it
 ///     {"lights[3]", "{\"light\": ...}"}                 adds a light to a file that has three
 ///     {"lights[0].aim", "null"}                         removes it; {"lights[0]", "null"}: the others move up
 ///
@@ -117,11 +118,15 @@ struct SceneParts {
 /// standard error. Throws InputError, with the file kChangePlace if a change is wrong.
 ///
 /// city_lights  replaces the number of lights in the scene's city; no effect without a city
-/// changes      in the order given; for a glTF file only of its lights' attenuation, threshold, cone, colour and
-///              density scale
+/// changes      in the order given; for a glTF file only of "lights", each with "light", "position", "direction" and,
+///              if true, "carried"
 /// kept         parts of an earlier reading, copied if the scene has them, then replaced by this one's; null: none
 Scene read_scene(const std::string& path, std::optional<std::size_t> city_lights = {},
                  const std::vector<SceneChange>& changes = {}, SceneParts* kept = nullptr);
+
+/// A light as an item of a scene file's "lights". Its numbers read back, except for the last bits of its direction and
+/// of its cone's angles.
+std::string light_entry(const PlacedLight& light);
 
 /// Reads scenes whose pictures go into one folder. Throws InputError, also if two scenes, and so their pictures, have
 /// the same name.

@@ -86,6 +86,7 @@ class CityBuilder {
     const std::size_t first_kind = scene_.light_members.size();
     for (const CityLightKind& kind : kCityLightKinds) scene_.light_members.push_back(std::string("city.") + kind.name);
     for (std::size_t i = 0; i < city_.lights; ++i) {
+      if (city_.without.contains(i)) continue;
       scene_.lights.push_back(lamps_[i].light);
       scene_.light_entries.push_back(first_kind + lamps_[i].kind);
     }

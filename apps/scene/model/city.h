@@ -4,6 +4,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <set>
 
 #include "litfog/light.h"
 #include "scene/scene.h"
@@ -20,8 +21,9 @@ inline constexpr std::size_t kMaxCityLights = 100'000;
 struct City {
   std::size_t lights = 1000;  ///< [1, kMaxCityLights]
   std::uint32_t seed = 1;
-  Light street_lamp;  ///< shines down
-  Light headlight;    ///< cars', like the tail lamp
+  std::set<std::size_t> without = {};  ///< indices in that list of lights that do not shine
+  Light street_lamp;                   ///< shines down
+  Light headlight;                     ///< cars', like the tail lamp
   Light tail_lamp;
   Light shop_window;  ///< shines out of a house, as the window
   Light window;
