@@ -662,6 +662,30 @@ TEST(Airlight, ReferenceInLayersIsTheDefinitionByAnotherQuadrature) {
   error.check();
 }
 
+TEST(Airlight, FormForPicturesHasItsStatedErrorBesideTheReference) {
+  Random random(103);
+  for (const bool is_spot : {false, true}) {
+    WorstError error("picture_airlight", is_spot ? "spots" : "points", 1, "of the stated error");
+    for (int i = 0; i < scaled_count(4000); ++i) {
+      const FogMode mode = random.pick(kModes);
+      const LampLeg leg = random.pick(kLampLegs);
+      AirlightCase c = i % 4 == 0   ? draw_layered_airlight_case(random, is_spot)
+                       : i % 4 == 1 ? draw_photometric_airlight_case(random, mode, leg)
+                                    : draw_airlight_case(random, mode, leg);
+      if (is_spot && i % 4 != 0) turn_into_spot(random, c);
+      if (random.chance(0.5)) c.atmosphere.phase = draw_phase(random);
+      AirlightCase without_cone = c;
+      without_cone.light.light.cone = {};
+      const double expected = reference_of(c);
+      const double stated = kPictureAirlightMaxError * std::max(expected, 1e-10 * reference_of(without_cone)) +
+                            std::numeric_limits<double>::min();  // below which doubles have few digits
+      const double found = picture_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
+      error.add(std::abs(found - expected) / stated, [&] { return to_string(c); });
+    }
+    error.check();
+  }
+}
+
 TEST(Airlight, FastFormHasItsStatedErrorsInLayers) {
   Random random(96);
   for (const bool is_spot : {false, true}) {
