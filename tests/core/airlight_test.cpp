@@ -171,8 +171,8 @@ class Definition {
     const auto [first, second, weight] = c_.atmosphere.phase;
     const auto lobe = [mu](const PhaseLobe& of) {
       const Real g = of.asymmetry, alpha = of.alpha;
-      return (1 - g * g) / std::pow(1 + g * g - 2 * g * mu, 1.5L) * (1 + alpha * mu * mu) /
-             (1 + alpha * (1 + 2 * g * g) / 3);
+      const Real square = 1 + g * g - 2 * g * mu;
+      return (1 - g * g) / (square * std::sqrt(square)) * (1 + alpha * mu * mu) / (1 + alpha * (1 + 2 * g * g) / 3);
     };
     return Real(weight) * lobe(first) + (1 - Real(weight)) * lobe(second);
   }
