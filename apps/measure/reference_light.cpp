@@ -25,8 +25,8 @@ double ReferenceLight::emitted(const glm::dvec3& direction) const {
 double ReferenceLight::airlight(const Atmosphere& atmosphere, const EyeRay& ray) const {
   PlacedLight seen = placed;
   seen.light.threshold = fog_threshold;
-  return cookie ? reference_airlight(seen, *cookie, cookie_from_world, atmosphere, ray)
-                : reference_airlight(seen, atmosphere, ray);
+  return cookie ? picture_airlight(seen, *cookie, cookie_from_world, atmosphere, ray)
+                : picture_airlight(seen, atmosphere, ray);
 }
 
 std::vector<ReferenceLight> reference_lights(const scene::Scene& scene, const Atmosphere& atmosphere,

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <optional>
 #include <span>
 #include <vector>
@@ -98,10 +99,12 @@ class ReferenceShading {
 
   /// The mean airlight along the pixel's ray up to the distance of each sample.
   glm::dvec3 mean_airlight(Samples samples, std::span<const double> seen, const glm::dvec3& direction) const {
-    glm::dvec3 sum(0.0);
+    std::map<double, double> seen_up_to;  // samples of the sky have one length
     for (std::size_t i = 0; i < samples.size(); ++i) {
-      if (seen[i] > 0) sum += model_.airlight(direction, length_to(samples[i], direction)) * seen[i];
+      if (seen[i] > 0) seen_up_to[length_to(samples[i], direction)] += seen[i];
     }
+    glm::dvec3 sum(0.0);
+    for (const auto& [length, weight] : seen_up_to) sum += model_.airlight(direction, length) * weight;
     return sum / double(samples.size());
   }
 

@@ -56,16 +56,20 @@ struct SeenLight {
   double extent;
 };
 
-double exact_airlight(const SeenLight& seen, const EyeRay& ray) {
-  using Exact = Text<long double, NoCookie>;
+template <typename Real>
+double integrated_airlight(const SeenLight& seen, const EyeRay& ray, Real agreement) {
   const Light& light = seen.light.light;
-  const long double extent =
-      level_range(convert<long double>(light.attenuation), static_cast<long double>(light.threshold)).high;
+  const Real extent = level_range(convert<Real>(light.attenuation), static_cast<Real>(light.threshold)).high;
   const NoCookie no_cookie;
-  const auto layers = convert<long double>(seen.layers);
-  const Exact text{no_cookie, layers};
+  const auto layers = convert<Real>(seen.layers);
+  const Text<Real, NoCookie> text{no_cookie, layers};
   return double(integrate_airlight(
-      text, text.seen_along(seen.light, extent, seen.class_fog, ray, seen.lamp_leg, pack<long double>(seen.phase))));
+      text, text.seen_along(seen.light, extent, seen.class_fog, ray, seen.lamp_leg, pack<Real>(seen.phase)),
+      agreement));
+}
+
+double exact_airlight(const SeenLight& seen, const EyeRay& ray) {
+  return integrated_airlight(seen, ray, airlight_text::kReferenceAgreement);
 }
 
 double fast_airlight(const SeenLight& seen, const EyeRay& ray) {
@@ -134,6 +138,12 @@ void airlight(const PlacedLight& light, const Atmosphere& atmosphere, std::span<
 double reference_airlight(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg) {
   require_all(light, atmosphere, ray);
   return exact_airlight(SeenLight(light, atmosphere, lamp_leg), ray);
+}
+
+double picture_airlight(const PlacedLight& light, const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg) {
+  require_all(light, atmosphere, ray);
+  const SeenLight seen(light, atmosphere, lamp_leg);
+  return seen.is_ordinary() ? integrated_airlight(seen, ray, kPictureAirlightMaxError) : exact_airlight(seen, ray);
 }
 
 double bound_airlight(const PlacedLight& light, const Atmosphere& atmosphere, const glm::dvec3& eye,

@@ -75,6 +75,13 @@ double reference_airlight(const PlacedLight& light, const Cookie& cookie, const 
                                [](auto& text, const auto& air) { return integrate_airlight(text, air); });
 }
 
+double picture_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
+                        const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg) {
+  return evaluate<double>(light, cookie, cookie_from_world, atmosphere, ray, lamp_leg, [](auto& text, const auto& air) {
+    return integrate_airlight(text, air, kPictureAirlightMaxError);
+  });
+}
+
 BeamMoments beam_moments(const Cookie& cookie) {
   constexpr int kSize = 64;  // directions along an edge of each face of a cube
   BeamMoments moments{};

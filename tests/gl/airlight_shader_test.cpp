@@ -106,7 +106,7 @@ void expect_stated_errors(const std::vector<ShaderCase>& cases, const std::vecto
   std::vector<double> relative;
   for (std::size_t i = 0; i < cases.size(); ++i) {
     const AirlightCase& c = cases[i].exact;
-    const double reference = reference_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
+    const double reference = picture_airlight(c.light, c.atmosphere, c.ray, c.lamp_leg);
     ASSERT_TRUE(std::isfinite(airlights[i])) << what << ": " << to_string(c);
     const double error = std::abs(airlights[i] - reference);
     const double share = error / std::max(reference, 1.0);

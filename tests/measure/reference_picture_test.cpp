@@ -520,16 +520,16 @@ TEST_F(ReferencePictureTest, AllOrdersOfScatteringAreThoseOfTheReference) {
       scene.atmosphere.phase = phase;
       RenderSettings settings = by_airlight();
       settings.scattering = Scattering::all;
-      Renderer renderer(scene, 96, 54, settings);
+      Renderer renderer(scene, 64, 36, settings);
       const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp, visibility));
       const std::string measured =
           fmt::format("{} at {} m, {}: largest {:6.3f}, mean {:6.3f}, {} excluded", name, visibility,
                       is_isotropic(phase) ? "isotropic" : "droplets", error.largest, error.mean, error.excluded);
       fmt::print("{}\n", measured);
       // What fog scatters on a lamp's own housing changes within a texel of the grid of that light.
-      EXPECT_LE(error.largest, is_isotropic(phase) ? 20 : 5) << measured;
+      EXPECT_LE(error.largest, is_isotropic(phase) ? 9 : 4) << measured;
       EXPECT_LE(error.mean, 0.2) << measured;
-      EXPECT_LE(error.excluded, 54u) << measured;
+      EXPECT_LE(error.excluded, 24u) << measured;
     }
   }
 }

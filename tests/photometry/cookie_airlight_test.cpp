@@ -91,6 +91,8 @@ TEST(CookieAirlight, ReferenceFollowsEachTexel) {
     }
     EXPECT_LE(relative_error(reference_airlight(c.light, noise, turn, c.atmosphere, c.ray, c.lamp_leg), expected),
               kReferenceAirlightMaxError);
+    EXPECT_LE(relative_error(picture_airlight(c.light, noise, turn, c.atmosphere, c.ray, c.lamp_leg), expected),
+              kPictureAirlightMaxError);
   }
 }
 

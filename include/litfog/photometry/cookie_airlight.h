@@ -28,6 +28,13 @@ double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3
 double reference_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
                           const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
 
+/// The same for reference pictures, in double.
+///
+/// max error  kPictureAirlightMaxError                                                     (cookie_airlight_test.cpp)
+/// throws     std::invalid_argument naming field, value and rule
+double picture_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
+                        const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
+
 /// Moments of a cookie about the light's axis (scattered_beam.h).
 BeamMoments beam_moments(const Cookie& cookie);
 
