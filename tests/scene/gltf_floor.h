@@ -21,10 +21,7 @@ class GltfFileTest : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
 
-  std::string write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
-  }
+  std::string write(const std::string& name, const std::string& bytes) const { return directory_.write(name, bytes); }
   /// As text, with the buffer in it.
   scene::Scene read(json file, const std::string& buffer = floor_bytes()) const {
     if (file.contains("buffers")) {
