@@ -16,7 +16,7 @@
 
 namespace litfog::test {
 
-/// Writes glTF files and reads them as scenes.
+/// Writes glTF files and reads them as scenes, above all one that a test changes.
 class GltfFileTest : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
@@ -48,8 +48,14 @@ class GltfFileTest : public testing::Test {
     return "no error";
   }
 
+  json& primitive() { return file_["meshes"][0]["primitives"][0]; }
+  json& material() { return file_["materials"][0]; }
+  json& light() { return file_["extensions"]["KHR_lights_punctual"]["lights"][0]; }
+
+  json file_ = floor_scene();
+
  private:
-  test::TemporaryDirectory directory_;
+  TemporaryDirectory directory_;
 };
 
 /// A picture of a colour, as the bytes of a PNG file.
