@@ -43,9 +43,7 @@ constexpr std::array kRulesAcrossMembers{"must be larger than the one before",
 
 class LightSpecSchema : public testing::Test {
  protected:
-  LightSpecSchema() {
-    std::ofstream(directory_.path() / "lamp.csv") << "candela,horizontal_deg,vertical_deg\n100,5,5\n";
-  }
+  LightSpecSchema() { directory_.write("lamp.csv", "candela,horizontal_deg,vertical_deg\n100,5,5\n"); }
 
   const JsonSchema schema_{"light-spec"};
   TemporaryDirectory directory_;

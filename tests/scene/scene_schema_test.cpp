@@ -47,10 +47,9 @@ constexpr std::array kRulesAcrossMembers{"must be a light file",
 class SceneSchema : public testing::Test {
  protected:
   SceneSchema() {
-    std::ofstream(directory_.path() / "lamp.json")
-        << R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1, "quadratic": 1}})";
-    std::ofstream(directory_.path() / "spot.exr", std::ios::binary)
-        << format_cookie(make_cookie(2, [](const glm::dvec3&) { return 1.0; }));
+    directory_.write("lamp.json",
+                     R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1, "quadratic": 1}})");
+    directory_.write("spot.exr", format_cookie(make_cookie(2, [](const glm::dvec3&) { return 1.0; })));
   }
 
   /// The members that the reader lists where a scene has a wrong one.
