@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <tuple>
-#include <vector>
 
 #include "litfog/gl/check_errors.h"
 #include "litfog/gl/unsupported.h"

@@ -10,7 +10,6 @@
 
 #include "litfog/gl/headless_context.h"
 #include "litfog/multiple_scattering.h"
-#include "render/renderer.h"
 
 namespace litfog::drawing {
 namespace {

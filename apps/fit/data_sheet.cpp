@@ -15,7 +15,6 @@
 #include "files/light_json.h"
 #include "fit/light_fit.h"
 #include "fit/verdict.h"
-#include "litfog/color_temperature.h"
 #include "text/shown_number.h"
 
 namespace litfog::fit {

@@ -2,9 +2,7 @@
 #include "fit/input_list.h"
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
-#include <memory>
 #include <system_error>
 #include <utility>
 

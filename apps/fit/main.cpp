@@ -43,13 +43,13 @@
 #include "litfog/photometry/cookie_file.h"
 #include "model/parallel.h"
 
+using namespace litfog;
 using namespace litfog::command;
 using namespace litfog::fit;
 
 namespace {
 
 namespace fs = std::filesystem;
-using litfog::ConeProfile;
 
 constexpr const char* kDescription =
     R"(Makes a light from its data sheet: the constants C, L, Q of its attenuation 1 / (C + L r + Q r^2), and a cone.
@@ -179,7 +179,7 @@ struct Traits {
 Traits traits_of(const Input& input) try {
   if (input.error) return {};
   if (!is_spec(input.path)) return {.has_falloff_table = false};
-  const litfog::LightSpec spec = litfog::read_light_spec(input.path);
+  const LightSpec spec = read_light_spec(input.path);
   return {.has_falloff_table = spec.range && !spec.range->samples.empty(),
           .has_cone = spec.cone.has_value(),
           .has_luminaire = spec.cone && spec.cone->photometry,
@@ -208,7 +208,7 @@ std::vector<std::string> outputs_of(const Options& options, const std::vector<In
   if (inputs.size() > 1 && !options.output.empty()) {
     const fs::path folder(options.output);
     if (folder.extension() != ".json" && !fs::exists(folder, error)) fs::create_directory(folder, error);
-    if (error) throw litfog::OutputError(fmt::format("{}: cannot be made: {}", options.output, error.message()));
+    if (error) throw OutputError(fmt::format("{}: cannot be made: {}", options.output, error.message()));
     if (!fs::is_directory(folder, error)) fail_option("-o", options.output, "must be a folder for several inputs");
   }
   const bool is_folder = fs::is_directory(options.output, error);
@@ -232,8 +232,8 @@ void expect_names_apart(std::vector<Input>& inputs) {
     if (input.error) continue;
     const auto [first, is_new] = path_of.emplace(input.name, input.path);
     if (is_new) continue;
-    input.error = std::make_exception_ptr(litfog::InputError({.file = input.path}, "name in the catalogue", input.name,
-                                                             "must not be that of " + first->second));
+    input.error = std::make_exception_ptr(
+        InputError({.file = input.path}, "name in the catalogue", input.name, "must not be that of " + first->second));
   }
 }
 
@@ -263,12 +263,12 @@ LightTarget read(const Input& input, const FitChoices& choices) {
                        : is_spec(input.path) ? read_spec(input.path, choices)
                                              : read_photometric_spec(input.path, choices);
   if (choices.cookie_size > 0 && !target.luminaire && target.ellipses.empty()) {
-    throw litfog::InputError({input.path, 1, 1}, "cone.photometry", "",
-                             "must be given for a cookie, or the angles of an elliptical beam");
+    throw InputError({input.path, 1, 1}, "cone.photometry", "",
+                     "must be given for a cookie, or the angles of an elliptical beam");
   }
   if (choices.has_spill && !(target.luminaire && target.end_illuminance && target.range->samples.empty())) {
-    throw litfog::InputError({input.path, 1, 1}, "cone.photometry", "",
-                             "must be given for two lights, with a range that states no extent_m and no samples");
+    throw InputError({input.path, 1, 1}, "cone.photometry", "",
+                     "must be given for two lights, with a range that states no extent_m and no samples");
   }
   return target;
 }
@@ -276,14 +276,13 @@ LightTarget read(const Input& input, const FitChoices& choices) {
 std::string text_of(const LightFit& fit) {
   std::vector<std::string> source = fit.target.source;
   source.insert(source.end(), fit.target.derived.begin(), fit.target.derived.end());
-  return litfog::format_light(fit.light, source, fit_record(fit));
+  return format_light(fit.light, source, fit_record(fit));
 }
 
 /// Puts two lights in the place of one.
 void split(Outcome& outcome) {
   outcome.two = fit_two_lights(*outcome.fit);
-  if (!outcome.two)
-    throw litfog::InputError({.file = outcome.input.path}, "must have a beam with a spill for two lights");
+  if (!outcome.two) throw InputError({.file = outcome.input.path}, "must have a beam with a spill for two lights");
   outcome.light = text_of(outcome.two->hot_spot);
   outcome.spill = text_of(outcome.two->spill);
   outcome.verdict = judge(*outcome.two);
@@ -322,7 +321,7 @@ Summary summarise(Outcome& outcome, bool has_report) try { return summary_of(out
 }
 
 void write_light(const Outcome& outcome) {
-  if (outcome.fit && !outcome.output.empty()) litfog::files::write_whole_file(outcome.output, outcome.light);
+  if (outcome.fit && !outcome.output.empty()) files::write_whole_file(outcome.output, outcome.light);
 }
 
 // --- all inputs ---
@@ -356,7 +355,7 @@ Results fit_all(const Options& options, const std::vector<Input>& inputs, const 
   Results results{.summaries = std::vector<Summary>(inputs.size()),
                   .outcomes = std::vector<Outcome>(keeps_outcomes ? inputs.size() : 0)};
   FitProgress progress(inputs.size());
-  litfog::for_each_in_parallel(inputs.size(), [&](std::size_t i) {
+  for_each_in_parallel(inputs.size(), [&](std::size_t i) {
     Outcome outcome = fit(options, inputs[i], outputs[i], files);
     if (!keeps_outcomes) {
       try {
@@ -399,7 +398,7 @@ Results fill_catalogue(const Options& options, const std::vector<Input>& inputs,
   const std::size_t together = std::clamp<std::size_t>(inputs.size() / kMinTurns, 1, kMaxTogether);
   Results results{.summaries = std::vector<Summary>(inputs.size()), .outcomes = {}};
   FitProgress progress(inputs.size());
-  litfog::for_each_in_parallel((inputs.size() + together - 1) / together, [&](std::size_t turn) {
+  for_each_in_parallel((inputs.size() + together - 1) / together, [&](std::size_t turn) {
     const std::size_t first = turn * together, last = std::min(first + together, inputs.size());
     std::vector<Outcome> outcomes;
     for (std::size_t i = first; i < last; ++i) outcomes.push_back(fit(options, inputs[i], outputs[i], files));
@@ -424,11 +423,11 @@ void write_kept(const Options& options, const std::vector<Outcome>& outcomes) {
   }
   for (const Outcome& outcome : outcomes) {
     write_light(outcome);
-    if (outcome.two) litfog::files::write_whole_file(options.spill, outcome.spill);
+    if (outcome.two) files::write_whole_file(options.spill, outcome.spill);
   }
-  if (!figure.empty()) litfog::files::write_whole_file(options.plot, figure);
+  if (!figure.empty()) files::write_whole_file(options.plot, figure);
   if (!options.cookie.empty() && is_whole) {
-    litfog::files::write_whole_file(options.cookie, format_cookie(*fits.front()->cookie));
+    files::write_whole_file(options.cookie, format_cookie(*fits.front()->cookie));
   }
 }
 
@@ -507,7 +506,7 @@ CLI::Option* add_axis(CLI::App& app, AxisChoice& choice) {
       if (!number || !(std::abs(*number) <= 360)) {
         fail_option("--axis", text, "must be peak, down, up or two angles H,V in degrees, each from -360 to 360");
       }
-      return litfog::files::radians(*number);
+      return files::radians(*number);
     };
     const std::string_view view = text;
     choice = {Kind::given, angle(view.substr(0, comma)), angle(view.substr(std::min(comma + 1, view.size())))};
@@ -526,7 +525,7 @@ int main(int argc, char** argv) {
   expect_uncaught();
   Options options;
   CLI::App app{kDescription, "litfog-fit"};
-  app.footer(kExplanation + litfog::fit::grade_table() + kExamples);
+  app.footer(kExplanation + fit::grade_table() + kExamples);
   app.add_option("input", options.inputs,
                  "Light specs (.json), photometric files (.ies, .ldt, .csv, .xml, .gldf), folders of them, "
                  "names of bundled lights")
@@ -536,8 +535,8 @@ int main(int argc, char** argv) {
   std::optional<ConeProfile> profile;
   std::vector<std::pair<std::string, std::optional<ConeProfile>>> profiles;
   std::string meanings;
-  for (const litfog::ConeProfileFacts& facts : litfog::kConeProfiles) {
-    if (litfog::fitted_parameters(facts.profile).empty()) continue;
+  for (const ConeProfileFacts& facts : kConeProfiles) {
+    if (fitted_parameters(facts.profile).empty()) continue;
     profiles.emplace_back(facts.name, facts.profile);
     meanings += std::string("; ") + facts.name + " is " + facts.meaning;
   }
@@ -567,8 +566,7 @@ int main(int argc, char** argv) {
                      "Write a measured or elliptical beam as a cube map, its six faces in a column")
           ->type_name("FILE.exr");
   int cookie_size = kUnstatedCookieSize;
-  add_integer(app, "--cookie-size", cookie_size, 1, litfog::kMaxCookieSize,
-              "Edge of a face in texels, 256 if not given")
+  add_integer(app, "--cookie-size", cookie_size, 1, kMaxCookieSize, "Edge of a face in texels, 256 if not given")
       ->needs(cookie);
   app.add_option("--spill", options.spill,
                  "Write a photometric file's beam as two lights at one position: its hot spot to -o, its spill here")
@@ -592,7 +590,7 @@ int main(int argc, char** argv) {
     if (!options.cookie.empty()) options.choices.cookie_size = cookie_size;
     options.choices.has_spill = !options.spill.empty();
     if (app.count("--profile") > 0) options.choices.profile = profile;
-    options.choices.tilt = litfog::files::radians(tilt_deg);
+    options.choices.tilt = files::radians(tilt_deg);
     check_options(app,
                   {{"--spill", options.choices.has_spill, {"--plot", "--cookie", "--details"}, "they show one light"},
                    {"--format csv or json", options.format != TableFormat::text, {"--details"}, "json has all"},

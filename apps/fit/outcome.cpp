@@ -12,7 +12,6 @@
 
 #include "files/angle_deg.h"
 #include "files/json_text.h"
-#include "fit/light_fit.h"
 #include "litfog/attenuation.h"
 #include "litfog/files/output_error.h"
 #include "litfog/input_error.h"

@@ -3,8 +3,6 @@
 
 #include <png.h>
 
-#include <new>
-
 namespace litfog::image {
 namespace {
 

@@ -1,16 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <fmt/format.h>
-#include <pybind11/numpy.h>
-#include <pybind11/pybind11.h>
-#include <pybind11/stl.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
-#include <string>
-#include <vector>
 
 #include "command/option_rule.h"
 #include "drawing/drawing.h"
@@ -20,7 +15,6 @@
 #include "litfog/gl/unsupported.h"
 #include "python/errors.h"
 #include "python/module.h"
-#include "python/numbers.h"
 #include "render/plan/lighting_path.h"
 #include "render/renderer.h"
 #include "scene/file/scene_file.h"

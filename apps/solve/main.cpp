@@ -29,20 +29,10 @@
 #include "text/csv.h"
 #include "text/file_text.h"
 
+using namespace litfog;
 using namespace litfog::command;
 
 namespace {
-
-using litfog::Attenuation;
-using litfog::csv_quoted;
-using litfog::CsvLocation;
-using litfog::CsvReader;
-using litfog::CsvRecord;
-using litfog::Fog;
-using litfog::FogIntensity;
-using litfog::FogMode;
-using litfog::Light;
-using litfog::SolveStatus;
 
 constexpr const char* kDescription =
     R"(Computes how brightly a light makes fog glow: its intensity, the range of the peak, the light's extent, and its
@@ -80,9 +70,9 @@ struct Options {
   std::vector<std::string> light_files;
   FogMode mode = FogMode::exp;
   std::vector<double> visibilities;
-  double contrast = litfog::kContrastMor;
+  double contrast = kContrastMor;
   std::vector<double> runway_visual_ranges;
-  litfog::RunwayLights runway_lights;
+  RunwayLights runway_lights;
   std::vector<double> densities;
   std::optional<double> threshold;
   Method method = Method::exact;
@@ -103,8 +93,7 @@ std::vector<Light> lights_of(const Options& options) {
   if (options.light_files.empty()) {
     lights.emplace_back().attenuation = options.attenuation;
   } else {
-    std::transform(options.light_files.begin(), options.light_files.end(), std::back_inserter(lights),
-                   litfog::read_light);
+    std::transform(options.light_files.begin(), options.light_files.end(), std::back_inserter(lights), read_light);
   }
   if (options.threshold) {
     for (Light& light : lights) light.threshold = *options.threshold;
@@ -174,7 +163,7 @@ struct RowError {
   std::string sentence;
 };
 
-litfog::InputError located(const std::string& file, const RowError& error) {
+InputError located(const std::string& file, const RowError& error) {
   const auto& [line, column] = error.location;
   return {{file, std::size_t(line), std::size_t(column)}, error.sentence};
 }
@@ -191,8 +180,8 @@ RowError missing_column(std::string_view name, const CsvRecord& record) {
   for (std::size_t i = 0; i < record.size(); ++i) {
     const std::string_view given = record.field(i);
     const bool is_other_column = std::ranges::find(kColumnNames, given) != kColumnNames.end();
-    if (is_other_column || litfog::files::hint_for_word(given, {name}).empty()) continue;
-    return {record.location(i), fmt::format("{}; is {} meant?", sentence, litfog::files::quoted_excerpt(given))};
+    if (is_other_column || files::hint_for_word(given, {name}).empty()) continue;
+    return {record.location(i), fmt::format("{}; is {} meant?", sentence, files::quoted_excerpt(given))};
   }
   const bool has_semicolons = record.size() == 1 && record.field(0).find(';') != std::string_view::npos;
   return {{}, sentence + (has_semicolons ? ", with commas between columns" : "")};
@@ -248,8 +237,8 @@ std::optional<RowError> read_row(const Header& header, const CsvRecord& record, 
   }
   const auto error_in = [&](std::size_t column, std::string_view rule) {
     const std::size_t i = header.index[column];
-    return RowError{record.location(i), fmt::format("{} = {}: {}", kColumnNames[column],
-                                                    litfog::files::quoted_excerpt(record.field(i)), rule)};
+    return RowError{record.location(i),
+                    fmt::format("{} = {}: {}", kColumnNames[column], files::quoted_excerpt(record.field(i)), rule)};
   };
   const auto mode = parse_fog_mode(record.field(header.index[kFog]));
   if (!mode) return error_in(kFog, "must be exp or exp2");
@@ -257,14 +246,14 @@ std::optional<RowError> read_row(const Header& header, const CsvRecord& record, 
   for (std::size_t column = kDensity; column < kColumnCount; ++column) {
     const auto number = parse_number(record.field(header.index[column]));
     if (!number)
-      return error_in(column, "must be a number" + litfog::files::hint_for_number(record.field(header.index[column])));
+      return error_in(column, "must be a number" + files::hint_for_number(record.field(header.index[column])));
     values[column] = *number;
   }
   row = {{*mode, values[kDensity]}, {values[kConstant], values[kLinear], values[kQuadratic]}, values[kThreshold]};
 
   auto error = find_error(row.fog);
   if (!error) error = find_error(row.attenuation);
-  if (!error) error = litfog::find_threshold_error(row.threshold);
+  if (!error) error = find_threshold_error(row.threshold);
   if (!error) return std::nullopt;
   std::string_view field = error->field;
   field.remove_prefix(field.rfind('.') + 1);  // "attenuation.linear" is the column linear
@@ -304,8 +293,8 @@ class BatchReport {
 ExitStatus solve_batch(const Options& options) {
   const bool is_standard_input = options.csv_file == "-";
   const std::string name = is_standard_input ? "<stdin>" : options.csv_file;
-  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(
-      is_standard_input ? stdin : litfog::open_file(options.csv_file), std::fclose);
+  const std::unique_ptr<std::FILE, int (*)(std::FILE*)> file(is_standard_input ? stdin : open_file(options.csv_file),
+                                                             std::fclose);
   if (!is_standard_input) {
     OutputFiles outputs;
     outputs.add_standard_output();

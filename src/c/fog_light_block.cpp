@@ -6,7 +6,6 @@
 #include "c/call.h"
 #include "c/convert.h"
 #include "c/layout.h"
-#include "litfog/solve.h"
 #include "model/require.h"
 #include "tables/fog_light_count.h"
 

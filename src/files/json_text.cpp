@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <cstddef>
 #include <nlohmann/json.hpp>
 
 #include "text/code_points.h"

@@ -5,7 +5,6 @@
 #include <chrono>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <stdexcept>
 
 #include "fit/attenuation_reach.h"

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "fit/cone_point.h"
 
-#include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>

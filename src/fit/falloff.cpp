@@ -3,7 +3,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <limits>
 
 #include "fit/active_set.h"
 

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <cmath>
-#include <cstddef>
 
 #include "litfog/cone.h"
 #include "litfog/formulas.h"

@@ -7,8 +7,6 @@
 #include <limits>
 #include <numbers>
 
-#include "photometry/angle_index.h"
-
 namespace litfog {
 namespace {
 

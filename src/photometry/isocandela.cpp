@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <memory>
 #include <numbers>
-#include <optional>
 #include <utility>
 #include <vector>
 

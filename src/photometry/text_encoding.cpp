@@ -11,8 +11,6 @@
 #include <iterator>
 #include <memory>
 #include <new>
-#include <optional>
-#include <string_view>
 #include <type_traits>
 
 namespace litfog {

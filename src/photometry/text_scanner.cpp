@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 #include "photometry/text_encoding.h"
 #include "text/ascii_text.h"

@@ -9,10 +9,8 @@
 #include <numbers>
 #include <optional>
 #include <span>
-#include <string>
 #include <tuple>
 #include <utility>
-#include <vector>
 
 #include "litfog/airlight.h"
 #include "litfog/attenuation.h"
@@ -22,15 +20,12 @@
 #include "litfog/directional_airlight.h"
 #include "litfog/flash.h"
 #include "litfog/fog.h"
-#include "litfog/light.h"
 #include "litfog/multiple_scattering.h"
 #include "litfog/runway_visual_range.h"
 #include "litfog/scattered_beam.h"
 #include "litfog/solve.h"
 #include "litfog/updater.h"
 #include "model/float_limit.h"
-#include "model/require.h"
-#include "python/numbers.h"
 
 namespace litfog::python {
 namespace {

@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <gtest/gtest.h>
-
-#include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <map>
 #include <nlohmann/json.hpp>
-#include <regex>
 #include <set>
 #include <sstream>
-#include <string>
 #include <vector>
 
 #include "command/command_test.h"
@@ -24,22 +18,11 @@ using namespace command;
 
 namespace {
 
-using litfog::test::Outcome;
 using Json = nlohmann::json;
 
-class BenchCommand : public litfog::test::CommandTest {
+class BenchCommand : public CommandTest {
  protected:
   BenchCommand() : CommandTest(LITFOG_BENCH_PATH) {}
-};
-
-/// The tests of what a Release build measures; a Debug build has but one thing to say.
-class BenchMeasurement : public BenchCommand {
- protected:
-  void SetUp() override {
-#ifndef NDEBUG
-    GTEST_SKIP() << "a Debug build does not measure";
-#endif
-  }
 };
 
 std::string usage_message(const std::string& reason) {
@@ -61,7 +44,7 @@ const std::vector<std::string> kUpdateColumns{
 const std::vector<std::string> kFitColumns{"problem",   "method",    "tables",       "ms",
                                            "ms_spread", "objective", "solved_share", "digits"};
 
-void expect_machine(const Json& document, bool draws = false) {
+void expect_machine(const Json& document, bool draws) {
   ASSERT_TRUE(document.contains("machine"));
   const Json& machine = document["machine"];
   ASSERT_EQ(machine.size(), 6u);
@@ -82,14 +65,27 @@ void expect_columns(const Json& rows, const std::vector<std::string>& columns) {
   }
 }
 
-TEST_F(BenchMeasurement, SolveMeasuresEveryMethodInBothFogs) {
-  const Outcome outcome = expect_done("solve --quick --json solve.json --csv solve.csv --plot solve.png");
-  EXPECT_EQ(outcome.err, "");
-  const Json document = Json::parse(read("solve.json"));
-  expect_machine(document);
-  const Json& rows = document["rows"];
-  expect_columns(rows, kSolveColumns);
+/// The tests of what a Release build measures; a Debug build has but one thing to say.
+class BenchMeasurement : public BenchCommand {
+ protected:
+  void SetUp() override {
+#ifndef NDEBUG
+    GTEST_SKIP() << "a Debug build does not measure";
+#endif
+  }
 
+  /// The rows that a quick benchmark writes, which must have these columns, if any are given.
+  Json measure(const std::string& arguments, const std::vector<std::string>& columns = {}, bool draws = false) const {
+    EXPECT_EQ(expect_done(arguments + " --quick --json rows.json").err, "");
+    const Json document = Json::parse(read("rows.json"));
+    expect_machine(document, draws);
+    if (!columns.empty()) expect_columns(document["rows"], columns);
+    return document["rows"];
+  }
+};
+
+TEST_F(BenchMeasurement, SolveMeasuresEveryMethodInBothFogs) {
+  const Json rows = measure("solve --csv solve.csv --plot solve.png", kSolveColumns);
   std::multiset<std::string> found;
   for (const Json& row : rows) {
     if (row["fog"].is_string()) {
@@ -104,18 +100,18 @@ TEST_F(BenchMeasurement, SolveMeasuresEveryMethodInBothFogs) {
     for (const char* fog : {" exp", " exp2"}) EXPECT_EQ(found.count(std::string(method) + fog), 1u) << method << fog;
   }
 
-  std::string header = outcome.out.substr(0, outcome.out.find('\n'));
+  const std::string table = read("out");
+  std::string header = table.substr(0, table.find('\n'));
   header = std::regex_replace(header, std::regex(" +"), ",");
   const std::string csv = read("solve.csv");
   EXPECT_EQ(header + ",cpu,isa,compiler,commit,gl_renderer,date", csv.substr(0, csv.find('\n')));
-  EXPECT_EQ(std::count(outcome.out.begin(), outcome.out.end(), '\n'), std::ptrdiff_t(rows.size() + 1));
-  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), std::ptrdiff_t(rows.size() + 1));
+  EXPECT_EQ(std::ranges::count(table, '\n'), std::ptrdiff_t(rows.size() + 1));
+  EXPECT_EQ(std::ranges::count(csv, '\n'), std::ptrdiff_t(rows.size() + 1));
   EXPECT_TRUE(read("solve.png").starts_with("\x89PNG"));
 }
 
 TEST_F(BenchMeasurement, SolveFindsTheErrorsThatTheHeadersState) {
-  const Outcome outcome = expect_done("solve --quick --format json");
-  const Json rows = Json::parse(outcome.out)["rows"];
+  const Json rows = Json::parse(expect_done("solve --quick --format json").out)["rows"];
   const auto max_error_255 = [&](const std::string& method, const std::string& fog) {
     const auto row =
         std::find_if(rows.begin(), rows.end(), [&](const Json& r) { return r["method"] == method && r["fog"] == fog; });
@@ -138,10 +134,10 @@ TEST_F(BenchMeasurement, SolveFindsTheErrorsThatTheHeadersState) {
     EXPECT_GE(max_ulp, row["mean_ulp"].get<double>()) << name;
     EXPECT_GE(max_255, row["mean_error_255"].get<double>()) << name;
     if (method == "exact") {
-      EXPECT_LE(max_ulp, is_float ? litfog::kIntensityMaxUlp<float> : litfog::kIntensityMaxUlp<double>) << name;
+      EXPECT_LE(max_ulp, is_float ? kIntensityMaxUlp<float> : kIntensityMaxUlp<double>) << name;
     }
     if (method.starts_with("batch")) {
-      EXPECT_LE(max_ulp, litfog::kBatchIntensityMaxUlp) << name;
+      EXPECT_LE(max_ulp, kBatchIntensityMaxUlp) << name;
     }
     // The steps of 1/255 are those of ulps: an intensity is at most 1, so its ulp at most epsilon / 2.
     EXPECT_LE(max_255, max_ulp * 255 * (is_float ? 0x1p-24 : 0x1p-53) * 1.001) << name;
@@ -161,13 +157,8 @@ TEST_F(BenchMeasurement, SolveFindsTheErrorsThatTheHeadersState) {
 }
 
 TEST_F(BenchMeasurement, AirlightMeasuresEveryMethodOverTheRaysThatItKnows) {
-  const Outcome outcome = expect_done("airlight --quick --json airlight.json --csv airlight.csv --plot airlight.svg");
-  EXPECT_EQ(outcome.err, "");
-  const Json document = Json::parse(read("airlight.json"));
-  expect_machine(document);
-  expect_columns(document["rows"], kAirlightColumns);
   std::map<std::string, Json> found;
-  for (const Json& row : document["rows"]) {
+  for (const Json& row : measure("airlight --csv airlight.csv --plot airlight.svg", kAirlightColumns)) {
     const std::string nodes = row["nodes"].is_null() ? "" : "-" + std::to_string(row["nodes"].get<int>());
     const std::string name = row["method"].get<std::string>() + nodes + " " + row["fog"].get<std::string>() + " " +
                              row["lights"].get<std::string>() + " " + std::to_string(row["lamp_leg"].get<int>());
@@ -197,8 +188,7 @@ TEST_F(BenchMeasurement, AirlightMeasuresEveryMethodOverTheRaysThatItKnows) {
 }
 
 TEST_F(BenchMeasurement, ScatteringTabulatesAllDepthsAndAngles) {
-  const Outcome outcome = expect_done("scattering --quick --format json");
-  const Json rows = Json::parse(outcome.out)["rows"];
+  const Json rows = measure("scattering");
   ASSERT_EQ(rows.size(), 2 * 16u);
   for (const Json& row : rows) {
     EXPECT_EQ(row.size(), 3 + 18 + 1u);
@@ -214,11 +204,8 @@ TEST_F(BenchMeasurement, GlowIsThatOfTheReferenceAndOfTheRandomWalk) {
 #else
   const std::string strip;
 #endif
-  expect_done("glow --quick --json glow.json --plot glow.svg" + strip);
-  const Json rows = Json::parse(read("glow.json"))["rows"];
-  expect_columns(rows, kGlowColumns);
   std::map<std::string, int> methods;
-  for (const Json& row : rows) {
+  for (const Json& row : measure("glow --plot glow.svg" + strip, kGlowColumns)) {
     const std::string method = row["method"];
     const double error = row["relative_error"];
     ++methods[method];
@@ -261,10 +248,8 @@ TEST_F(BenchMeasurement, ScenesInAllOrdersAreNearTracedPaths) {
 #endif
 
 TEST_F(BenchMeasurement, RivalsOfTheAirlightConvergeToTheReference) {
-  const Outcome outcome = expect_done("airlight --quick --format json");
-  const Json document = Json::parse(outcome.out);
   std::map<std::string, double> coarsest, finest;
-  for (const Json& row : document["rows"]) {
+  for (const Json& row : measure("airlight")) {
     const std::string method = row["method"];
     if (method == "reference") continue;
     const double error = row["max_error_255"];
@@ -289,12 +274,8 @@ TEST_F(BenchMeasurement, RivalsOfTheAirlightConvergeToTheReference) {
 }
 
 TEST_F(BenchMeasurement, LampsStandBetweenPeakAndTheirReference) {
-  expect_done("lamps --quick --json lamps.json --csv lamps.csv --plot lamps.svg");
-  const Json document = Json::parse(read("lamps.json"));
-  expect_machine(document);
-  expect_columns(document["rows"], kLampColumns);
   std::map<std::string, int> visibilities;
-  for (const Json& row : document["rows"]) {
+  for (const Json& row : measure("lamps --csv lamps.csv --plot lamps.svg", kLampColumns)) {
     const auto value = [&](const char* column) { return row[column].get<double>(); };
     ++visibilities[row["lamp"].get<std::string>()];
     EXPECT_GE(value("airlight_k0"), value("peak")) << row;
@@ -311,12 +292,8 @@ TEST_F(BenchMeasurement, LampsStandBetweenPeakAndTheirReference) {
 }
 
 TEST_F(BenchMeasurement, UpdateStaysWithinItsBudget) {
-  expect_done("update --quick --json update.json --csv update.csv");
-  const Json document = Json::parse(read("update.json"));
-  expect_machine(document);
-  expect_columns(document["rows"], kUpdateColumns);
   std::multiset<std::string> found;
-  for (const Json& row : document["rows"]) {
+  for (const Json& row : measure("update --csv update.csv", kUpdateColumns)) {
     const std::string method = row["method"];
     const std::string name = row.dump();
     found.insert(method + " " + row["fog"].get<std::string>());
@@ -338,8 +315,7 @@ TEST_F(BenchMeasurement, UpdateStaysWithinItsBudget) {
 }
 
 TEST_F(BenchMeasurement, LoadLeavesMemoryFlat) {
-  const Outcome outcome = expect_done("load --quick --format json");
-  const Json row = Json::parse(outcome.out)["rows"][0];
+  const Json row = measure("load")[0];
   EXPECT_LE(row["ms_per_step"].get<double>(), row["ms_worst"].get<double>());
   EXPECT_LE(row["grown_mib"].get<double>(), 1) << row;
   EXPECT_LE(row["max_deviation_255"].get<double>(), 1e-3) << row;
@@ -347,20 +323,16 @@ TEST_F(BenchMeasurement, LoadLeavesMemoryFlat) {
 
 #ifdef LITFOG_HAS_FIT
 TEST_F(BenchMeasurement, FitFindsEveryOptimumToTheDigitsThatItStates) {
-  const Outcome outcome = expect_done("fit --quick --json fit.json --csv fit.csv");
-  EXPECT_EQ(outcome.err, "");
-  const Json document = Json::parse(read("fit.json"));
-  expect_machine(document);
-  expect_columns(document["rows"], kFitColumns);
+  const Json rows = measure("fit --csv fit.csv", kFitColumns);
   std::multiset<std::string> found;
   std::map<std::string, double> least_objective;
-  for (const Json& row : document["rows"]) {
+  for (const Json& row : rows) {
     const std::string problem = row["problem"];
     const double objective = row["objective"];
     least_objective.try_emplace(problem, objective);
     least_objective[problem] = std::min(least_objective[problem], objective);
   }
-  for (const Json& row : document["rows"]) {
+  for (const Json& row : rows) {
     const std::string name = row.dump(), problem = row["problem"], method = row["method"];
     found.insert(problem + " " + method);
     EXPECT_GT(row["ms"].get<double>(), 0) << name;
@@ -457,18 +429,25 @@ TEST_F(BenchCommand, DebugBuildDoesNotMeasure) {
 #endif
 
 #ifdef LITFOG_HAS_GL
-const std::vector<std::string> kRenderColumns{
-    "scene", "path", "fog_light", "lights", "size", "samples", "skip", "ms_per_frame", "ms_spread", "ratio_to_legacy",
-    "ratio_to_two_light_legacy", "ratio_to_plain", "max_error_255", "mean_error_255", "excepted_pixels"};
+const std::vector<std::string> kRenderColumns{"scene",
+                                              "path",
+                                              "fog_light",
+                                              "lights",
+                                              "size",
+                                              "samples",
+                                              "skip",
+                                              "ms_per_frame",
+                                              "ms_spread",
+                                              "ratio_to_legacy",
+                                              "ratio_to_two_light_legacy",
+                                              "ratio_to_plain",
+                                              "max_error_255",
+                                              "mean_error_255",
+                                              "excepted_pixels"};
 
 TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
-  expect_done("render --quick --json render.json --csv render.csv --plot render.png");
-  const Json document = Json::parse(read("render.json"));
-  expect_machine(document, true);
-  const Json& rows = document["rows"];
-  expect_columns(rows, kRenderColumns);
   std::map<int, std::map<std::string, Json>> by_lights;
-  for (const Json& row : rows) {
+  for (const Json& row : measure("render --csv render.csv --plot render.png", kRenderColumns, true)) {
     const bool is_peak = row["fog_light"] == "peak";
     EXPECT_TRUE(is_peak || row["fog_light"] == "airlight") << row;
     by_lights[row["lights"].get<int>()][row["path"].get<std::string>() + (is_peak ? "" : " airlight")] = row;
@@ -499,12 +478,10 @@ TEST_F(BenchMeasurement, RenderMeasuresEveryPathBesideLegacyAndTheBareTexture) {
 }
 
 TEST_F(BenchMeasurement, FramesTimeSingleScatteringAndAllOrdersBesidePeak) {
-  expect_done("frames --quick --json frames.json");
-  const Json document = Json::parse(read("frames.json"));
-  expect_machine(document, true);
-  const Json& rows = document["rows"];
-  expect_columns(rows, {"scene", "phase", "lights", "fog_light", "ms_per_frame", "ms_spread", "ratio_to_peak",
-                        "ratio_to_single", "bytes_uploaded", "max_error_255", "mean_error_255"});
+  const Json rows = measure("frames",
+                            {"scene", "phase", "lights", "fog_light", "ms_per_frame", "ms_spread", "ratio_to_peak",
+                             "ratio_to_single", "bytes_uploaded", "max_error_255", "mean_error_255"},
+                            true);
   ASSERT_EQ(rows.size(), 3u);
   const std::string fog_lights[] = {"peak", "single", "all"};
   for (std::size_t i = 0; i < rows.size(); ++i) {
@@ -518,11 +495,8 @@ TEST_F(BenchMeasurement, FramesTimeSingleScatteringAndAllOrdersBesidePeak) {
 }
 
 TEST_F(BenchMeasurement, RejectionShadesFewerFragmentsAfterAPassOfDepths) {
-  expect_done("rejection --quick --json rejection.json");
-  const Json document = Json::parse(read("rejection.json"));
-  expect_machine(document, true);
   std::map<std::string, Json> rows;
-  for (const Json& row : document["rows"]) {
+  for (const Json& row : measure("rejection", {}, true)) {
     EXPECT_GT(row["ms_per_frame"].get<double>(), 0) << row;
     rows[row["samples"].dump() + " " + row["rejection"].get<std::string>()] = row;
   }
@@ -532,11 +506,8 @@ TEST_F(BenchMeasurement, RejectionShadesFewerFragmentsAfterAPassOfDepths) {
 
 // Linear look-ups err by the square of the texels' distance; the pair has as many texels as the 3-D map, denser ones.
 TEST_F(BenchMeasurement, MapsErrLessTheMoreTexelsTheyHave) {
-  expect_done("maps --quick --json maps.json");
-  const Json document = Json::parse(read("maps.json"));
-  expect_machine(document, true);
   std::map<std::string, std::map<int, Json>> paths;
-  for (const Json& row : document["rows"]) paths[row["path"]][row["map_size"].get<int>()] = row;
+  for (const Json& row : measure("maps", {}, true)) paths[row["path"]][row["map_size"].get<int>()] = row;
   ASSERT_EQ(paths.size(), 2u);
   for (const auto& [path, rows] : paths) {
     const Json& coarse = rows.at(16);
@@ -550,11 +521,8 @@ TEST_F(BenchMeasurement, MapsErrLessTheMoreTexelsTheyHave) {
 }
 
 TEST_F(BenchMeasurement, CityMeasuresClustersAndFramesAtEveryVisibility) {
-  expect_done("city --quick --json city.json --csv city.csv");
-  const Json document = Json::parse(read("city.json"));
-  expect_machine(document, true);
   std::map<std::string, int> rows;
-  for (const Json& row : document["rows"]) {
+  for (const Json& row : measure("city --csv city.csv", {}, true)) {
     const std::string method = row["method"];
     ++rows[method];
     EXPECT_GT(row["ms"].get<double>(), 0) << row;
@@ -576,9 +544,8 @@ TEST_F(BenchMeasurement, CityMeasuresClustersAndFramesAtEveryVisibility) {
 }
 
 TEST_F(BenchMeasurement, TargetOfTheBatchIsAnErrorForFrames) {
-  const Outcome outcome = run("render --quick --isa AVX2");
-  EXPECT_EQ(outcome.status, kUsage);
-  EXPECT_EQ(outcome.err, usage_message("--isa cannot be given with render: it has no batches"));
+  EXPECT_ERROR(run("render --quick --isa AVX2"), kUsage,
+               usage_message("--isa cannot be given with render: it has no batches"));
 }
 #endif
 

@@ -35,9 +35,7 @@ class CommandTest : public testing::Test {
 
   const std::filesystem::path& directory() const { return directory_.path(); }
 
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(directory() / name, std::ios::binary) << text;
-  }
+  void write(const std::string& name, const std::string& text) const { directory_.write(name, text); }
 
   std::string read(const std::string& name) const {
     std::ifstream file(directory() / name, std::ios::binary);

@@ -46,6 +46,14 @@ inline void set_lights(LightClusters& clusters, const std::vector<LightBounds>& 
   for (std::size_t i = 0; i < lights.size(); ++i) clusters.set_light(i, lights[i]);
 }
 
+inline LightClusters clusters_of(const std::vector<LightBounds>& lights, const View& view,
+                                 const ClusterGrid& grid = {}) {
+  LightClusters clusters(grid);
+  set_lights(clusters, lights);
+  clusters.update(view);
+  return clusters;
+}
+
 /// Holds random lights in a view against points that they light. Returns how many points lie in it.
 inline int expect_complete(Random& random, const View& view) {
   LightClusters clusters(draw_grid(random, view));

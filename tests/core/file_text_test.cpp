@@ -20,11 +20,6 @@ class FileText : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
 
-  std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(path(name), std::ios::binary) << text;
-    return path(name);
-  }
-
   static std::string error_of(const std::string& path, std::size_t max_bytes = 100) {
     try {
       read_file_text(path, max_bytes);
@@ -36,7 +31,6 @@ class FileText : public testing::Test {
     return "none";
   }
 
- private:
   TemporaryDirectory directory_;
 };
 
@@ -49,17 +43,17 @@ TEST(SystemReason, ShortMemoryIsNoReasonOfAFile) {
 TEST_F(FileText, EveryByteIsRead) {
   std::string bytes(200'000, '\0');
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = char(i % 251);
-  EXPECT_EQ(read_file_text(write("bytes", bytes), bytes.size()), bytes);
-  EXPECT_EQ(read_file_text(write("empty", ""), 0), "");
-  EXPECT_EQ(read_file_start(write("long", "abcdef"), 3), "abc");
-  EXPECT_EQ(read_file_start(write("short", "ab"), 3), "ab");
+  EXPECT_EQ(read_file_text(directory_.write("bytes", bytes), bytes.size()), bytes);
+  EXPECT_EQ(read_file_text(directory_.write("empty", ""), 0), "");
+  EXPECT_EQ(read_file_start(directory_.write("long", "abcdef"), 3), "abc");
+  EXPECT_EQ(read_file_start(directory_.write("short", "ab"), 3), "ab");
 }
 
 TEST_F(FileText, FileLargerThanTheLimitIsAnError) {
-  const std::string file = write("lamp", "1234567");
+  const std::string file = directory_.write("lamp", "1234567");
   EXPECT_EQ(read_file_text(file, 7), "1234567");
   EXPECT_EQ(error_of(file, 6), file + ": file: must not be larger than 6 bytes");
-  const std::string sparse = write("sparse", "");
+  const std::string sparse = directory_.write("sparse", "");
   std::filesystem::resize_file(sparse, std::uintmax_t{1} << 40);
   EXPECT_EQ(error_of(sparse), sparse + ": file: must not be larger than 100 bytes");
 }

@@ -4,16 +4,9 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <bit>
-#include <cmath>
-#include <cstdint>
-#include <cstdio>
 #include <new>
-#include <numbers>
 #include <thread>
-#include <vector>
 
 #include "core/allocation_count.h"
 #include "core/cluster_lists.h"
@@ -214,9 +207,7 @@ bool meets_ball_around(const View& part, const LightBounds& light) {
 
 TEST(LightClusters, FewEntriesOfACityAreSuperfluous) {
   const City city(3000);
-  LightClusters clusters;
-  set_lights(clusters, city.lights);
-  clusters.update(city.view);
+  LightClusters clusters = clusters_of(city.lights, city.view);
   std::size_t superfluous = 0;
   std::size_t by_balls = 0;
   for (std::size_t cluster = 0; cluster < clusters.clusters().size(); ++cluster) {
@@ -239,12 +230,10 @@ TEST(LightClusters, FewEntriesOfRandomViewsAreSuperfluous) {
   std::size_t superfluous = 0;
   for (int i = 0; i < 100; ++i) {
     const View view = draw_view(random);
-    LightClusters clusters(
-        {.columns = 8, .rows = 5, .slices = 8, .first_depth = std::sqrt(view.nearest * view.farthest)});
     std::vector<LightBounds> lights;
     for (int k = 0; k < 20; ++k) lights.push_back(draw_bounds(random, view));
-    set_lights(clusters, lights);
-    clusters.update(view);
+    const LightClusters clusters = clusters_of(
+        lights, view, {.columns = 8, .rows = 5, .slices = 8, .first_depth = std::sqrt(view.nearest * view.farthest)});
     entries += clusters.light_list().size();
     for (std::size_t cluster = 0; cluster < clusters.clusters().size(); ++cluster) {
       const ViewFrustum part(clusters.part_of_view(cluster));
@@ -260,9 +249,7 @@ TEST(LightClusters, FewEntriesOfRandomViewsAreSuperfluous) {
 
 TEST(LightClusters, ListsFollowEachOtherInTheOrderOfClustersAndLights) {
   const City city(500);
-  LightClusters clusters;
-  set_lights(clusters, city.lights);
-  clusters.update(city.view);
+  LightClusters clusters = clusters_of(city.lights, city.view);
   std::uint32_t first = 0;
   for (std::size_t cluster = 0; cluster < clusters.clusters().size(); ++cluster) {
     EXPECT_EQ(clusters.clusters()[cluster].first, first);
@@ -302,9 +289,7 @@ RC_GTEST_PROP(LightClusters, ListsDependOnLightsAndViewAlone, ()) {
     const bool has_changed = clusters.update(city.view);
     RC_ASSERT(has_changed == (!has_updated || !(Lists(clusters) == before)));
     has_updated = true;
-    LightClusters fresh;
-    set_lights(fresh, city.lights);
-    fresh.update(city.view);
+    LightClusters fresh = clusters_of(city.lights, city.view);
     RC_ASSERT(Lists(clusters) == Lists(fresh));
     RC_ASSERT(clusters.statistics().lights_in_view == fresh.statistics().lights_in_view);
   }
@@ -392,9 +377,7 @@ TEST(LightClusters, CallThatRunsOutOfMemoryLeavesTheListsAndTheNextOneMakesThem)
       clusters.set_light(i, lights[i]);
     }
     expect_unchanged_without_memory([&] { clusters.update(view); });
-    LightClusters fresh(clusters.grid());
-    set_lights(fresh, lights);
-    fresh.update(view);
+    LightClusters fresh = clusters_of(lights, view, clusters.grid());
     EXPECT_TRUE(Lists(clusters) == Lists(fresh));
     EXPECT_TRUE(std::ranges::equal(clusters.table(), fresh.table()));
   }
@@ -404,9 +387,7 @@ TEST(LightClusters, CallThatRunsOutOfMemoryLeavesTheListsAndTheNextOneMakesThem)
 TEST(LightClusters, TwoObjectsServeTwoThreads) {
   const City city(2000);
   const auto run = [&](std::vector<std::uint32_t>& list) {
-    LightClusters clusters;
-    set_lights(clusters, city.lights);
-    clusters.update(city.view);
+    LightClusters clusters = clusters_of(city.lights, city.view);
     list.assign(clusters.light_list().begin(), clusters.light_list().end());
   };
   std::array<std::vector<std::uint32_t>, 3> lists;
@@ -421,9 +402,7 @@ TEST(LightClusters, TwoObjectsServeTwoThreads) {
 
 TEST(LightClusters, MovedClustersKeepTheirLights) {
   const City city(100);
-  LightClusters first;
-  set_lights(first, city.lights);
-  first.update(city.view);
+  LightClusters first = clusters_of(city.lights, city.view);
   const Lists before(first);
   LightClusters second = std::move(first);
   EXPECT_EQ(Lists(second), before);
@@ -458,9 +437,7 @@ TEST(LightClusters, PointsAreInTheClusterWhosePartOfTheViewHoldsThem) {
 TEST(LightClusters, LookupInFloatFindsTheLightsOfAFragment) {
   Random random(77);
   City city(2000);
-  LightClusters clusters;
-  set_lights(clusters, city.lights);
-  clusters.update(city.view);
+  LightClusters clusters = clusters_of(city.lights, city.view);
   const ClusterGrid& grid = clusters.grid();
   const ClusterLookup lookup = clusters.lookup();
   int points = 0;
@@ -546,9 +523,7 @@ TEST(LightClusters, WrongValueIsAnErrorAndChangesNothing) {
   EXPECT_EQ(error_of_grid({.first_depth = kNan}), "first_depth = nan: must be in [1e-12, 16777216]");
 
   const City city(10);
-  LightClusters clusters;
-  set_lights(clusters, city.lights);
-  clusters.update(city.view);
+  LightClusters clusters = clusters_of(city.lights, city.view);
   const Lists before(clusters);
   EXPECT_EQ(error_of([&] { clusters.resize(621'075); }), "count = 621075: must be at most (2^31 - 2^20) / clusters");
   EXPECT_EQ(error_of([&] { clusters.resize(std::numeric_limits<std::size_t>::max()); }),

@@ -3,8 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
-
 #include "command/temporary_directory.h"
 #include "litfog/input_error.h"
 
@@ -55,8 +53,8 @@ TEST(CameraPath, EvenKeyframesOnALineAreAnEvenMotion) {
 class CameraPathFile : public testing::Test {
  protected:
   CameraPath read(const std::string& keyframes) const {
-    std::ofstream(file()) << R"({"litfog": "camera-path", "version": 1, "keyframes": )" << keyframes << "}";
-    return read_camera_path(file(), 0.25);
+    const std::string header = R"({"litfog": "camera-path", "version": 1, "keyframes": )";
+    return read_camera_path(directory_.write("path.json", header + keyframes + "}"), 0.25);
   }
   std::string error_of(const std::string& keyframes) const {
     try {

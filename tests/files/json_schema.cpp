@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "files/json_schema.h"
 
-#include <filesystem>
-#include <fstream>
-#include <functional>
+#include <gtest/gtest.h>
+
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -87,16 +86,6 @@ std::string JsonSchema::error_of(const std::string& text) const {
   return message + ": " + error.description;
 }
 
-std::map<std::string, std::string> JsonSchema::errors_in(const std::string& folder) const {
-  std::map<std::string, std::string> errors;
-  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LITFOG_DATA_DIR) / folder)) {
-    if (entry.path().extension() != ".json") continue;
-    std::ifstream file(entry.path());
-    errors[entry.path().filename().string()] = error_of({std::istreambuf_iterator<char>(file), {}});
-  }
-  return errors;
-}
-
 std::set<std::string> JsonSchema::members_at(const std::string& pointer) const {
   std::set<std::string> members;
   for (const auto& [name, schema] : parsed_->document.at(Json::json_pointer(pointer + "/properties")).items()) {
@@ -115,11 +104,31 @@ std::set<std::string> members_in(const std::string& sentence) {
   return members;
 }
 
-std::vector<std::string> changed_documents(const std::string& text) {
-  std::vector<std::string> documents;
+int expect_same_refusals(const JsonSchema& schema, const Refusal& refusal_of, const std::string& text,
+                         const std::function<bool(const std::string& refusal)>& is_across_members) {
+  EXPECT_EQ(refusal_of(text), "");
+  EXPECT_EQ(schema.error_of(text), "");
+  int refused = 0;
   Json document = Json::parse(text);
-  change_each(document, document, [&] { documents.push_back(document.dump()); });
-  return documents;
+  change_each(document, document, [&] {
+    const std::string changed = document.dump();
+    const std::string refusal = refusal_of(changed), error = schema.error_of(changed);
+    if (is_across_members(refusal)) return;
+    EXPECT_EQ(error.empty(), refusal.empty()) << changed << "\n" << refusal << error;
+    if (!refusal.empty()) ++refused;
+  });
+  return refused;
+}
+
+void expect_bundled_valid(const JsonSchema& schema, const std::string& folder, std::size_t least) {
+  std::size_t count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(LITFOG_DATA_DIR) / folder)) {
+    if (entry.path().extension() != ".json") continue;
+    std::ifstream file(entry.path());
+    EXPECT_EQ(schema.error_of({std::istreambuf_iterator<char>(file), {}}), "") << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, least);
 }
 
 }  // namespace litfog::test

@@ -2,15 +2,8 @@
 #include "litfog/files/light_file.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
-#include <algorithm>
-#include <filesystem>
-#include <fstream>
-#include <numbers>
 #include <set>
-#include <stdexcept>
-#include <string>
 
 #include "command/temporary_directory.h"
 #include "core/value_errors.h"
@@ -193,13 +186,12 @@ TEST(LightFile, AnglesAreWrittenInDegreesAsTheyWereGiven) {
 }
 
 TEST(LightFile, FileNeedsItsHeaderAndLendsItsName) {
-  const auto path =
-      std::filesystem::temp_directory_path() / ("litfog-light-" + std::to_string(getpid()) + ".lamp.json");
-  std::ofstream(path) << R"({"litfog": "light", "version": 1, "attenuation": {"linear": 1}})";
-  EXPECT_EQ(read_light(path.string()).name, path.stem().string());
-  std::ofstream(path) << R"({"attenuation": {"linear": 1}})";
-  EXPECT_EQ(sentence_of<InputError>([&] { read_light(path.string()); }), path.string() + ":1:1: litfog: must be given");
-  std::filesystem::remove(path);
+  const TemporaryDirectory directory;
+  const std::string path =
+      directory.write("a.lamp.json", R"({"litfog": "light", "version": 1, "attenuation": {"linear": 1}})");
+  EXPECT_EQ(read_light(path).name, "a.lamp");
+  directory.write("a.lamp.json", R"({"attenuation": {"linear": 1}})");
+  EXPECT_EQ(sentence_of<InputError>([&] { read_light(path); }), path + ":1:1: litfog: must be given");
 }
 
 // The lights that come with litfog, by the rule that their sources state.

@@ -3,10 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <numbers>
-#include <string>
-#include <vector>
 
 #include "command/temporary_directory.h"
 #include "litfog/color_temperature.h"
@@ -20,9 +17,8 @@ class LightSpecFile : public testing::Test {
  protected:
   /// The spec of a file whose second line holds these members.
   LightSpec read(const std::string& members) const {
-    const auto path = directory_.path() / "f.json";
-    std::ofstream(path) << "{\"litfog\": \"light-spec\", \"version\": 1,\n" << members << "}";
-    return read_light_spec(path.string());
+    return read_light_spec(
+        directory_.write("f.json", "{\"litfog\": \"light-spec\", \"version\": 1,\n" + members + "}"));
   }
 
   /// Without the folder.

@@ -1,18 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
-#include <gtest/gtest.h>
+#include <fmt/format.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <set>
 #include <sstream>
-#include <string>
 #include <thread>
-#include <vector>
 
 #include "command/command_test.h"
 #include "command/exit_status.h"
@@ -32,8 +28,7 @@ using namespace command;
 namespace {
 
 namespace fs = std::filesystem;
-using litfog::Light;
-using litfog::test::Outcome;
+using nlohmann::json;
 using std::numbers::pi;
 
 /// A falloff table and a beam.
@@ -63,9 +58,15 @@ TILT=NONE
 100 50 10 0 0 0
 )";
 
+/// An IES file of a round beam of candela, by its vertical angles.
+std::string round_ies(const std::string& angles, const std::string& candela) {
+  return fmt::format("IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 {} 1 1 2 0 0 0\n1 1 10\n{}\n0\n{}\n",
+                     std::ranges::count(angles, ' ') + 1, angles, candela);
+}
+
 std::string usage_message(const std::string& reason) { return "litfog-fit: " + reason + "; see litfog-fit --help\n"; }
 
-class FitCommand : public litfog::test::CommandTest {
+class FitCommand : public CommandTest {
  protected:
   FitCommand() : CommandTest(LITFOG_FIT_PATH) {
     write("lamp.json", kSpec);
@@ -95,6 +96,12 @@ class FitCommand : public litfog::test::CommandTest {
   }
 
   Light light(const std::string& name) const { return read_light((directory() / name).string()); }
+
+  /// The JSON report on the first input.
+  json report_on(const std::string& arguments) const { return json::parse(run(arguments + " --format json").out)[0]; }
+
+  /// The JSON of an output.
+  json written(const std::string& name) const { return json::parse(read(name)); }
 };
 
 // OpenImageIO brings some 230 libraries. They take a fifth of a second to load, and one of them starts a thread before
@@ -157,7 +164,7 @@ TEST_F(FitCommand, SolveReadsTheLightUnchanged) {
   const std::string solve = "cd " + directory().string() +
                             " && " LITFOG_SOLVE_PATH " --light light.json --visibility 200 --format json >solved 2>err";
   ASSERT_EQ(std::system(solve.c_str()), 0) << read("err");
-  const auto row = nlohmann::json::parse(read("solved"))[0];
+  const json row = written("solved")[0];
   EXPECT_EQ(row["light"], "flood");
   EXPECT_EQ(row["constant"].get<double>(), light("light.json").attenuation.constant);
   EXPECT_EQ(row["quadratic"].get<double>(), light("light.json").attenuation.quadratic);
@@ -165,14 +172,14 @@ TEST_F(FitCommand, SolveReadsTheLightUnchanged) {
 
 TEST_F(FitCommand, FitMemberHasTheProofOfBothFits) {
   ASSERT_EQ(run("lamp.json -o light.json").status, kDone);
-  const auto fit = nlohmann::json::parse(read("light.json"))["fit"];
+  const auto fit = written("light.json")["fit"];
   for (const char* name :
        {"status", "objective", "rms", "largest_error", "active", "covariance", "kkt_residual", "iterations", "boxes"}) {
     EXPECT_TRUE(fit["range"].contains(name)) << name;
   }
-  EXPECT_EQ(fit["range"]["active"], nlohmann::json({"extent"}));
+  EXPECT_EQ(fit["range"]["active"], json({"extent"}));
   EXPECT_EQ(fit["range"]["covariance"].size(), 3u);
-  EXPECT_EQ(fit["cone"]["profile"], nlohmann::json::parse(read("light.json"))["cone"]["profile"]);
+  EXPECT_EQ(fit["cone"]["profile"], written("light.json")["cone"]["profile"]);
   for (const char* profile : {"cosine", "smoothstep"}) {
     for (const char* name : {"cone", "status", "objective", "lower_bound", "rms", "largest_error", "flux_error",
                              "beam_angle_error", "field_angle_error", "active", "covariance", "kkt_residual"}) {
@@ -183,10 +190,10 @@ TEST_F(FitCommand, FitMemberHasTheProofOfBothFits) {
 
 TEST_F(FitCommand, ProfileOptionWinsOverTheSpecs) {
   ASSERT_EQ(run("lamp.json -o a.json --profile cosine").status, kDone);
-  EXPECT_EQ(light("a.json").cone.profile, litfog::ConeProfile::cosine);
-  EXPECT_FALSE(nlohmann::json::parse(read("a.json"))["fit"]["cone"].contains("smoothstep"));
+  EXPECT_EQ(light("a.json").cone.profile, ConeProfile::cosine);
+  EXPECT_FALSE(written("a.json")["fit"]["cone"].contains("smoothstep"));
   ASSERT_EQ(run("lamp.json -o b.json --profile smoothstep").status, kDone);
-  EXPECT_EQ(light("b.json").cone.profile, litfog::ConeProfile::smoothstep);
+  EXPECT_EQ(light("b.json").cone.profile, ConeProfile::smoothstep);
 }
 
 TEST_F(FitCommand, RobustFitLeavesAnOutlierAside) {
@@ -216,14 +223,14 @@ TEST_F(FitCommand, InfeasibleTargetHasItsReasonAndStillALight) {
   EXPECT_TRUE(has(run("far.json --details").out, "Range: infeasible"));
   const Light best = light("light.json");
   EXPECT_NEAR(compute_extent(best.attenuation, best.threshold), 100, 1e-10);
-  EXPECT_EQ(nlohmann::json::parse(read("light.json"))["fit"]["range"]["status"], "infeasible");
+  EXPECT_EQ(written("light.json")["fit"]["range"]["status"], "infeasible");
 }
 
 TEST_F(FitCommand, JsonReportHoldsTheLights) {
   write("bad.json", "{}");
   const Outcome outcome = run("lamp.json bad.json --format json");
   EXPECT_EQ(outcome.status, kBadInput);
-  const auto report = nlohmann::json::parse(outcome.out);
+  const auto report = json::parse(outcome.out);
   ASSERT_EQ(report.size(), 2u);
   EXPECT_EQ(report[0]["input"], "lamp.json");
   EXPECT_EQ(report[0]["status"], "optimal");
@@ -267,12 +274,12 @@ TEST_F(FitCommand, PhotometricFileIsALight) {
 
 TEST_F(FitCommand, CookieIsTheDistributionByDirection) {
   ASSERT_EQ(run("spot.ies --cookie spot.exr --cookie-size 33").status, kDone);
-  const auto& [size, texels] = litfog::read_cookie((directory() / "spot.exr").string());
+  const auto& [size, texels] = read_cookie((directory() / "spot.exr").string());
   ASSERT_EQ(size, 33);
   const std::size_t last_face = 5 * 33 * 33;  // -z, the axis in its middle texel
   EXPECT_EQ(texels[last_face + 16 * 33 + 16], 1);
-  const auto luminaire = litfog::read_luminaire((directory() / "spot.ies").string());
-  EXPECT_EQ(texels, litfog::bake_cookie(luminaire.distribution, 33).texels);
+  const auto luminaire = read_luminaire((directory() / "spot.ies").string());
+  EXPECT_EQ(texels, bake_cookie(luminaire.distribution, 33).texels);
 }
 
 TEST_F(FitCommand, CookiesAreTheSameToTheByteWheneverTheyAreWritten) {
@@ -349,9 +356,8 @@ TEST_F(FitCommand, ReportHasNoErrorsThatAreRounding) {
 
 TEST_F(FitCommand, AdviceNamesTheProfileWhoseFluxIsNearer) {
   const auto advice_on = [&](const std::string& angles, const std::string& candela) {
-    write("lamp.ies",
-          "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 5 1 1 2 0 0 0\n1 1 10\n" + angles + "\n0\n" + candela + "\n");
-    return nlohmann::json::parse(run("lamp.ies --format json").out)[0]["advice"].dump();
+    write("lamp.ies", round_ies(angles, candela));
+    return report_on("lamp.ies")["advice"].dump();
   };
   const std::string bright_to_the_end = advice_on("0 30 60 80 90", "100 95 80 70 60");
   EXPECT_TRUE(has(bright_to_the_end, "off by +24 %. Of --profile cosine it is off by +1 %."));
@@ -375,21 +381,15 @@ TEST_F(FitCommand, LargeNumbersOfAReportHaveNoExponents) {
 
 TEST_F(FitCommand, AdviceNamesASecondBeam) {
   const auto advice_on = [&](const std::string& candela, const std::string& options = "") {
-    write("lamp.ies",
-          "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 7 1 1 2 0 0 0\n1 1 10\n0 20 40 90 140 160 180\n0\n" + candela + "\n");
-    return nlohmann::json::parse(run("lamp.ies --format json" + options).out)[0]["advice"].dump();
+    write("lamp.ies", round_ies("0 20 40 90 140 160 180", candela));
+    return report_on("lamp.ies" + options)["advice"].dump();
   };
   EXPECT_TRUE(
       has(advice_on("100 50 5 0 5 40 80"), "A second beam, 80 % as bright, goes the other way: --axis up fits it"));
   EXPECT_TRUE(has(advice_on("100 50 5 0 5 40 80", " --axis up"), "--axis down fits it"));
-  write("lamp.ies",
-        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 7 1 1 2 0 0 0\n1 1 10\n0 20 40 90 140 160 180\n0\n"
-        "100 50 5 0 5 40 80\n");
   double both = 0;
   for (const char* axis : {"down", "up"}) {
-    both +=
-        nlohmann::json::parse(run(std::string("lamp.ies --format json --axis ") + axis).out)[0]["light_beam"]["flux_lm"]
-            .get<double>();
+    both += report_on(std::string("lamp.ies --axis ") + axis)["light_beam"]["flux_lm"].get<double>();
   }
   const std::string advice = run("lamp.ies").out;
   const auto at = advice.find("Both have ");
@@ -407,22 +407,22 @@ TEST_F(FitCommand, ReportHasFifteenLinesAtMostAndTheLightsCandelaBesideTheFiles)
   for (const char* input : {"wide.ies", "lamp.json", "beam.json", "spot.ies", "landing-lamp", "headlight-dipped"}) {
     const std::string report = run(input).out;
     EXPECT_LE(std::ranges::count(report, '\n'), 15) << report;
-    const auto json = nlohmann::json::parse(run(std::string(input) + " --format json").out)[0];
+    const json whole = report_on(input);
     for (const auto& [name, member] : {std::pair("candela", "peak_cd"), {"lumens", "flux_lm"}}) {
       std::istringstream row(report.substr(report.find(std::string("\n  ") + name)));
       std::string word, data, light;
       row >> word >> data >> light;
       const auto expect_shown = [&, member = member](const std::string& shown, const char* beam) {
-        if (json[beam][member].is_null()) {
+        if (whole[beam][member].is_null()) {
           EXPECT_EQ(shown, "-") << report;
         } else {
-          EXPECT_NEAR(std::stod(shown) / json[beam][member].get<double>(), 1, 1e-4) << report;
+          EXPECT_NEAR(std::stod(shown) / whole[beam][member].get<double>(), 1, 1e-4) << report;
         }
       };
       expect_shown(data, "beam");
       expect_shown(light, "light_beam");
     }
-    EXPECT_TRUE(has(report, json["verdict"].get<std::string>() + ": " + json["why"].get<std::string>() + "\n"));
+    EXPECT_TRUE(has(report, whole["verdict"].get<std::string>() + ": " + whole["why"].get<std::string>() + "\n"));
   }
 }
 
@@ -440,7 +440,7 @@ TEST_F(FitCommand, AxisIsAdvisedOnlyWhereItsConeIsNearerToTheBeam) {
         "0 90 180 270 360\n95 100 95 70 40 20 10 5 0 0\n90 70 40 20 10 5 0 0 0 0\n"
         "90 60 30 10 5 0 0 0 0 0\n90 70 40 20 10 5 0 0 0 0\n95 100 95 70 40 20 10 5 0 0\n");
   const auto error_of = [&](const std::string& arguments) {
-    return nlohmann::json::parse(run(arguments + " --format json").out)[0]["light_beam"]["beam_error"].get<double>();
+    return report_on(arguments)["light_beam"]["beam_error"].get<double>();
   };
   bool is_some_advised = false;
   for (const char* input : {"street.ies", "aimed.ies"}) {
@@ -458,8 +458,7 @@ TEST_F(FitCommand, AxisIsAdvisedOnlyWhereItsConeIsNearerToTheBeam) {
 TEST_F(FitCommand, AdviceNamesThePeakOfOneAngleAndColorsInBytes) {
   const auto has_advice = [&](const std::string& members, const std::string& part) {
     write_spec("spec.json", members);
-    return nlohmann::json::parse(run("spec.json --format json").out)[0]["advice"].dump().find(part) !=
-           std::string::npos;
+    return report_on("spec.json")["advice"].dump().find(part) != std::string::npos;
   };
   const std::string of_flux = "the peak that follows from the flux";
   const std::string beam = R"("range": {"flux_lm": 900}, "cone": {"beam_angle_deg": 36)";
@@ -489,9 +488,6 @@ TEST_F(FitCommand, ValuesOfAnotherKindAreAnsweredWithTheirRule) {
     EXPECT_TRUE(message.ends_with(end + "\n")) << message;
   };
   expect_rule(R"("range": {"extent_m": 9}, "power_w": 9)", "density_scale, source_radius_m, flash, range, cone");
-  const std::string rows = ": must be an object of range_m and lx, or an array of them, the rows of a table";
-  expect_rule(R"("range": {"illuminance": []})", rows);
-  expect_rule(R"("range": {"illuminance": 900})", rows);
   expect_rule(R"("range": {"samples": [{"range_m": 1, "attenuation": 900}, {"range_m": 2, "attenuation": 225}]})",
               "must be in [1e-100, 1]; lx belong in illuminance");
   expect_rule(R"("cone": {"beam_angle_deg": {"horizontal": 20, "vertical": 10}})",
@@ -725,7 +721,7 @@ TEST_F(FitCommand, TableOfIlluminanceIsJudgedByItsLargestError) {
   EXPECT_NEAR(lux, 5, 1e-5);
   EXPECT_EQ(data, 1) << "the row's own";
   EXPECT_EQ(error, 400);
-  const auto report = nlohmann::json::parse(run("table.json --format json").out)[0];
+  const json report = report_on("table.json");
   EXPECT_NEAR(report["light_beam"]["illuminance_error"].get<double>(), 2000 / (400 + 1e-6) - 1, 1e-12);
   EXPECT_TRUE(has(run_table(R"({"range_m": 20, "lx": 25}, {"range_m": 40, "lx": 3})").err, "at 40 m off by +63.1 %"));
   EXPECT_TRUE(has(run_table(R"({"range_m": 20, "lx": 25})").out, "good: what is stated is met\n"));
@@ -735,7 +731,7 @@ TEST_F(FitCommand, ErrorsOfAFalloffTableAreTheSameSignedFractionsInTextAndJson) 
   write_spec("table.json", R"("range": {"constant": 1, "samples": [
     {"range_m": 1, "attenuation": 0.9}, {"range_m": 2, "attenuation": 0.7}, {"range_m": 4, "attenuation": 0.38},
     {"range_m": 6, "attenuation": 0.4}, {"range_m": 8, "attenuation": 0.14}]})");
-  const auto report = nlohmann::json::parse(run("table.json --format json").out)[0];
+  const json report = report_on("table.json");
   const auto& attenuation = report["light"]["attenuation"];
   const Attenuation fitted{attenuation["constant"], attenuation["linear"], attenuation["quadratic"]};
   const double error = attenuation_at(fitted, 6) / 0.4 - 1;
@@ -751,16 +747,9 @@ TEST_F(FitCommand, ErrorsOfAFalloffTableAreTheSameSignedFractionsInTextAndJson) 
 
 TEST_F(FitCommand, UplightsConePointsUp) {
   // The beam of a spot, turned over: measured from 90 to 180 degrees.
-  write("up.ies",
-        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 7 1 1 2 0 0 0\n1 1 10\n90 150 160 165 170 175 180\n0\n"
-        "0 0 10 30 62 90 100\n");
-  write("down.ies",
-        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 7 1 1 2 0 0 0\n1 1 10\n0 5 10 15 20 30 90\n0\n"
-        "100 90 62 30 10 0 0\n");
-  const auto report_of = [&](const std::string& arguments) {
-    return nlohmann::json::parse(run(arguments + " --format json").out)[0];
-  };
-  const auto up = report_of("up.ies"), down = report_of("down.ies");
+  write("up.ies", round_ies("90 150 160 165 170 175 180", "0 0 10 30 62 90 100"));
+  write("down.ies", round_ies("0 5 10 15 20 30 90", "100 90 62 30 10 0 0"));
+  const json up = report_on("up.ies"), down = report_on("down.ies");
   EXPECT_EQ(up["axis"], "up, opposite to the photometric axis");
   EXPECT_EQ(down["axis"], "down, the photometric axis");
   for (const char* angle : {"half_angle_deg", "exponent"}) {
@@ -785,7 +774,7 @@ TEST_F(FitCommand, AxisIsThePeakOfABeamAimedElsewhereOrAsAsked) {
   }
   write("aimed.ies", file);
   const auto axis_of = [&](const std::string& options) {
-    return nlohmann::json::parse(run("aimed.ies --format json " + options).out)[0]["axis"].get<std::string>();
+    return report_on("aimed.ies " + options)["axis"].get<std::string>();
   };
   EXPECT_EQ(axis_of(""), "40 deg from the photometric axis, --axis 0,40") << "found by itself";
   EXPECT_EQ(axis_of("--axis peak"), axis_of(""));
@@ -796,7 +785,7 @@ TEST_F(FitCommand, AxisIsThePeakOfABeamAimedElsewhereOrAsAsked) {
   EXPECT_EQ(run("aimed.ies").status, kDone);
   EXPECT_EQ(run("aimed.ies --axis down").status, kNotToTolerance);
   ASSERT_EQ(run("aimed.ies --cookie aimed.exr --cookie-size 33").status, kDone);
-  const auto cookie = litfog::read_cookie((directory() / "aimed.exr").string());
+  const auto cookie = read_cookie((directory() / "aimed.exr").string());
   EXPECT_NEAR(cookie.texels[5 * 33 * 33 + 16 * 33 + 16], 1, 1e-6) << "the peak is on the cookie's axis";
   const std::string rule = "must be peak, down, up or two angles H,V in degrees, each from -360 to 360";
   for (const char* wrong : {"left", "3", "3,", ",3", "1,2,3", "nan,0", "0,361"}) {
@@ -815,46 +804,40 @@ TEST_F(FitCommand, AxisOfANarrowBeamIsItsPeakHoweverNear) {
     }
   }
   write("aimed.csv", table);
-  const auto report = nlohmann::json::parse(run("aimed.csv --format json").out)[0];
+  const json report = report_on("aimed.csv");
   EXPECT_EQ(report["axis"], "4 deg from the photometric axis, --axis 0,4");
   EXPECT_EQ(report["verdict"], "good") << report["why"];
   EXPECT_NEAR(report["beam"]["beam_angle_deg"].get<double>(), 4, 0.05);
-  EXPECT_EQ(nlohmann::json::parse(run("aimed.csv --axis 0,4 --format json").out)[0]["axis"], report["axis"]);
-  EXPECT_EQ(nlohmann::json::parse(run("aimed.csv --axis down --format json").out)[0]["axis"],
-            "ahead, the photometric axis");
+  EXPECT_EQ(report_on("aimed.csv --axis 0,4")["axis"], report["axis"]);
+  EXPECT_EQ(report_on("aimed.csv --axis down")["axis"], "ahead, the photometric axis");
 }
 
 TEST_F(FitCommand, AxisOfAnIsocandelaTableIsToTheRightAndAbove) {
   write("ellipses.csv", "candela,horizontal_deg,vertical_deg\n5000,7,5\n500,11.5,6\n");
   write("grid.csv", "vertical_deg,-10,0,10\n10,10,20,10\n0,20,50,20\n-10,10,20,10\n");
   for (const char* table : {"ellipses.csv", "grid.csv"}) {
-    const std::string command = std::string(table) + " --axis -5,2 --format json";
-    EXPECT_EQ(nlohmann::json::parse(run(command).out)[0]["axis"], "5.384 deg from the photometric axis, --axis -5,2")
-        << table;
+    const json report = report_on(std::string(table) + " --axis -5,2");
+    EXPECT_EQ(report["axis"], "5.384 deg from the photometric axis, --axis -5,2") << table;
   }
 }
 
 TEST_F(FitCommand, ContoursAreFirstToldToBeMinima) {
   write("ellipses.csv", "candela;horizontal_deg;vertical_deg\n5000;7,5;5\n500;11,5;6\n");
   write("grid.csv", "vertical_deg,-10,0,10\n10,10,20,10\n0,20,50,20\n-10,10,20,10\n");
-  const auto advice_on = [&](const std::string& input) {
-    return nlohmann::json::parse(run(input + " --format json").out)[0]["advice"].dump();
-  };
-  EXPECT_TRUE(
-      advice_on("ellipses.csv").starts_with("[\"5000 cd is what the inner ellipse states. A standard's are minima"))
-      << advice_on("ellipses.csv");
-  EXPECT_FALSE(has(advice_on("grid.csv"), "minima"));
+  const std::string advice = report_on("ellipses.csv")["advice"][0];
+  EXPECT_TRUE(advice.starts_with("5000 cd is what the inner ellipse states. A standard's are minima")) << advice;
+  EXPECT_FALSE(has(report_on("grid.csv")["advice"].dump(), "minima"));
 }
 
 TEST_F(FitCommand, DerivedFiguresAreToldWithTheirSteps) {
   write_spec("steps.json", R"("source": "maker", "color_temperature_k": 3200,
     "range": {"flux_lm": 900, "end_lx": "night"}, "cone": {"beam_angle_deg": [24, 6], "field_angle_deg": [48, 12]})");
-  const auto report = nlohmann::json::parse(run("steps.json --format json").out)[0];
+  const json report = report_on("steps.json");
   ASSERT_EQ(report["derived"].size(), 6u) << "color, two angles, peak, extent, color";
   EXPECT_EQ(report["light"]["source"].size(), 7u) << "the maker's and the steps";
   EXPECT_EQ(report["beam"]["flux_lm"], 900);
-  EXPECT_EQ(report["beam"]["beam_angle_deg"], nlohmann::json::parse("[24, 6]"));
-  EXPECT_EQ(report["beam"]["field_angle_deg"], nlohmann::json::parse("[48, 12]"));
+  EXPECT_EQ(report["beam"]["beam_angle_deg"], json({24, 6}));
+  EXPECT_EQ(report["beam"]["field_angle_deg"], json({48, 12}));
   EXPECT_EQ(report["verdict"], "poor") << "half of the beam is not round";
   const std::string text = run("steps.json --details").out;
   for (const auto& step : report["derived"]) EXPECT_TRUE(has(text, step.get<std::string>())) << step;
@@ -866,7 +849,7 @@ TEST_F(FitCommand, CookieOfAnEllipticalBeamIsElliptical) {
   write_spec("oval.json", R"("range": {"extent_m": 9},
     "cone": {"beam_angle_deg": [60, 20], "field_angle_deg": [90, 30]})");
   run("oval.json --cookie oval.exr --cookie-size 65");
-  const auto cookie = litfog::read_cookie((directory() / "oval.exr").string());
+  const auto cookie = read_cookie((directory() / "oval.exr").string());
   const auto at = [&cookie](double horizontal_deg, double vertical_deg) {
     return cookie_at(cookie, direction_of(PhotometryType::a, horizontal_deg * pi / 180, vertical_deg * pi / 180));
   };
@@ -879,10 +862,8 @@ TEST_F(FitCommand, CookieOfAnEllipticalBeamIsElliptical) {
 
 TEST_F(FitCommand, AnglesThatAFileDoesNotStateAreDarkInFitAndErrors) {
   // Still as bright as on the axis where the file ends, at 60 degrees.
-  write("cut.ies",
-        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 13 1 1 2 0 0 0\n1 1 10\n0 5 10 15 20 25 30 35 40 45 50 55 60\n"
-        "0\n7 7 7 7 7 7 7 7 7 7 7 7 7\n");
-  const auto report = nlohmann::json::parse(run("cut.ies --format json").out)[0];
+  write("cut.ies", round_ies("0 5 10 15 20 25 30 35 40 45 50 55 60", "7 7 7 7 7 7 7 7 7 7 7 7 7"));
+  const json report = report_on("cut.ies");
   EXPECT_NEAR(report["beam"]["flux_lm"].get<double>(), 7 * pi, 1e-9);
   const auto& fit = report["light"]["fit"]["cone"];
   for (const char* profile : {"cosine", "smoothstep"}) {
@@ -898,13 +879,11 @@ TEST_F(FitCommand, AnglesThatAFileDoesNotStateAreDarkInFitAndErrors) {
 
 TEST_F(FitCommand, VerdictTellsAPoorLightWhateverItsProof) {
   // A narrow beam in a wide spill that has most of the light.
-  write("spill.ies",
-        "IESNA:LM-63-2002\nTILT=NONE\n1 -1 1 9 1 1 2 0 0 0\n1 1 10\n0 1 2 3 4 5 30 60 90\n0\n"
-        "1000 900 500 200 60 30 30 30 0\n");
+  write("spill.ies", round_ies("0 1 2 3 4 5 30 60 90", "1000 900 500 200 60 30 30 30 0"));
   const Outcome outcome = run("spill.ies --format json -o light.json");
   EXPECT_EQ(outcome.status, kNotToTolerance);
   EXPECT_TRUE(outcome.err.starts_with("spill.ies: poor: flux off by -")) << outcome.err;
-  const auto report = nlohmann::json::parse(outcome.out)[0];
+  const auto report = json::parse(outcome.out)[0];
   EXPECT_EQ(report["status"], "optimal");
   EXPECT_EQ(report["verdict"], "poor");
   EXPECT_EQ("spill.ies: poor: " + report["why"].get<std::string>() + "\n", outcome.err);
@@ -916,7 +895,7 @@ TEST_F(FitCommand, VerdictTellsAPoorLightWhateverItsProof) {
       {"angle_deg": 3, "intensity": 200}, {"angle_deg": 4, "intensity": 60}, {"angle_deg": 5, "intensity": 30},
       {"angle_deg": 30, "intensity": 30}, {"angle_deg": 60, "intensity": 30}, {"angle_deg": 90, "intensity": 0}]})");
   EXPECT_TRUE(run("spill.json").err.starts_with("spill.json: poor: flux off by -"));
-  const auto exact = nlohmann::json::parse(run("beam.json --format json").out)[0];
+  const json exact = report_on("beam.json");
   EXPECT_EQ(exact["verdict"], "good");
   EXPECT_NEAR(exact["beam"]["beam_angle_deg"].get<double>(), 11, 1e-12);
   EXPECT_NEAR(exact["beam"]["field_angle_deg"].get<double>(), 22, 1e-12);
@@ -941,7 +920,7 @@ TEST_F(FitCommand, ExponentAtItsBoundIsHeld) {
 }
 
 TEST_F(FitCommand, BeamHasTwoAnglesWhereItIsNotRound) {
-  const auto beam = nlohmann::json::parse(run("spot.ies --format json").out)[0]["beam"];
+  const json beam = report_on("spot.ies")["beam"];
   EXPECT_NEAR(beam["peak_cd"].get<double>(), 100, 1e-9);
   ASSERT_EQ(beam["beam_angle_deg"].size(), 2u);
   EXPECT_NEAR(beam["beam_angle_deg"][0].get<double>(), 2 * 8.75, 1e-9);  // 80 at 5 degrees, 40 at 10
@@ -961,7 +940,7 @@ TILT=NONE
 100 50 10 0 0 0
 100 80 40 15 0 0
 )");
-  const auto beam = nlohmann::json::parse(run("uneven.ies --axis down --format json").out)[0]["beam"];
+  const json beam = report_on("uneven.ies --axis down")["beam"];
   ASSERT_EQ(beam["beam_angle_deg"].size(), 2u);
   EXPECT_NEAR(beam["beam_angle_deg"][0].get<double>(), 8.75 + 5, 1e-9);
   EXPECT_NEAR(beam["beam_angle_deg"][1].get<double>(), 5 + 5, 1e-9);
@@ -1129,7 +1108,7 @@ TEST_F(FitCommand, TableHasTheErrorsOfEachLight) {
   const auto cell = [&](std::size_t row, const std::string& column) {
     return rows[row][std::size_t(std::ranges::find(rows[0], column) - rows[0].begin())];
   };
-  const auto report = nlohmann::json::parse(run("lamp.json spot.ies --format json").out);
+  const auto report = json::parse(run("lamp.json spot.ies --format json").out);
   for (std::size_t i : {0u, 1u}) {
     const auto& fit = report[i]["light"]["fit"];
     const auto& cone = fit["cone"][fit["cone"]["profile"].get<std::string>()];
@@ -1233,7 +1212,7 @@ TEST_F(FitCommand, TiltFactorMultipliesTheIntensities) {
   tilted.replace(tilted.find("TILT=NONE"), 9, "TILT=INCLUDE\n1 3\n0 45 90\n0.9 0.8 0.4");
   write("tilted.ies", tilted);
   for (const auto& [option, peak] : {std::pair{"", 90.0}, {" --tilt 45", 80.0}, {" --tilt 60", 80 - 40 / 3.}}) {
-    const auto report = nlohmann::json::parse(run(std::string("tilted.ies --format json") + option).out)[0];
+    const json report = report_on(std::string("tilted.ies") + option);
     EXPECT_NEAR(report["beam"]["peak_cd"].get<double>(), peak, 1e-9) << option;
     EXPECT_TRUE(report["derived"][0].get<std::string>().starts_with("Tilt: ")) << report["derived"];
   }
@@ -1361,7 +1340,7 @@ TEST_F(FitCommand, ShippedLightsAreWhatTheirSpecsGive) {
     EXPECT_EQ(made.density_scale, shipped.density_scale);
     EXPECT_EQ(made.source_radius, shipped.source_radius);
     EXPECT_GT(made.source_radius, 0);
-    const auto spec = nlohmann::json::parse(std::ifstream(LITFOG_DATA_DIR "/specs/" + name));
+    const auto spec = json::parse(std::ifstream(LITFOG_DATA_DIR "/specs/" + name));
     if (!has_cookie) {
       const double stated = spec["range"]["peak_cd"];
       EXPECT_NEAR(luminance(candela(made)) / stated, 1, 2e-4) << "luminance of its color";
@@ -1376,7 +1355,7 @@ TEST_F(FitCommand, ShippedLightsAreWhatTheirSpecsGive) {
     expect_near(made.cone.exponent, shipped.cone.exponent);
     expect_near(made.cone.inner, shipped.cone.inner);
     expect_near(made.cone.outer, shipped.cone.outer);
-    const auto lines = nlohmann::json::parse(std::ifstream(LITFOG_DATA_DIR "/lights/" + name))["source"];
+    const auto lines = json::parse(std::ifstream(LITFOG_DATA_DIR "/lights/" + name))["source"];
     ASSERT_GT(lines.size(), spec["source"].size()) << "and what was derived";
     EXPECT_TRUE(std::equal(spec["source"].begin(), spec["source"].end(), lines.begin()));
   }

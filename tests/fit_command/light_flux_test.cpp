@@ -1,20 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // The flux of every light written, integrated from its file and its cookie, against the report and the photometric
 // file.
-#include <gtest/gtest.h>
 
-#include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <sstream>
-#include <string>
-#include <vector>
 
 #include "command/command_test.h"
 #include "command/exit_status.h"

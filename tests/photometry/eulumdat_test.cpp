@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/photometry/eulumdat.h"
 
-#include <gtest/gtest.h>
-
-#include <fstream>
-#include <string>
 #include <vector>
 
 #include "command/temporary_directory.h"
@@ -57,9 +53,7 @@ TEST(Eulumdat, IntensitiesAreScaledByTheFluxOfTheLamps) {
 TEST(Eulumdat, FileIsKnownByItsTextWhateverItsEnding) {
   const TemporaryDirectory directory;
   for (const char* name : {"lamp.ies", "lamp.csv", "lamp.LDT", "lamp"}) {
-    const std::string path = (directory.path() / name).string();
-    std::ofstream(path) << EulumdatText().str();
-    EXPECT_EQ(read_luminaire(path).name, "name") << name;
+    EXPECT_EQ(read_luminaire(directory.write(name, EulumdatText().str())).name, "name") << name;
   }
 }
 

@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/photometry/ies.h"
 
-#include <gtest/gtest.h>
-
-#include <cmath>
 #include <cstdio>
-#include <fstream>
 #include <new>
 #include <numbers>
-#include <string>
 
 #include "command/temporary_directory.h"
 #include "photometry/memory_limit.h"
@@ -360,8 +355,8 @@ TEST(Ies, TiltFileThatIsMissingBadOrElsewhereIsAnError) {
     ies.tilt = "TILT=" + tilt + "\n";
     return photometry_error_of([&] { parse_ies(ies.str(), (directory.path() / "lamp.ies").string()); });
   };
-  std::ofstream(directory.path() / "good.tlt") << "1 2\n0 90\n1 0.8\n";
-  std::ofstream(directory.path() / "bad.tlt") << "1 2\n0 90\n1 dark\n";
+  directory.write("good.tlt", "1 2\n0 90\n1 0.8\n");
+  directory.write("bad.tlt", "1 2\n0 90\n1 dark\n");
   EXPECT_EQ(error("good.tlt"), "(accepted)");
   EXPECT_EQ(error("bad.tlt"), "3:3: tilt factor = dark: must be a finite number");
   const std::string location = "3:6: TILT = ";
@@ -529,71 +524,63 @@ TEST(Ies, EveryMutationIsReadOrAnError) {
 
 // --- luminaires ---
 
-TEST(Luminaire, FormatIsKnownByContentThenByEnding) {
-  const TemporaryDirectory directory;
-  const auto write = [&](const char* name, const std::string& bytes) {
-    std::ofstream(directory.path() / name, std::ios::binary) << bytes;
-    return (directory.path() / name).string();
-  };
+class LuminaireFile : public testing::Test {
+ protected:
+  Luminaire read(const std::string& name, const std::string& bytes) const {
+    return read_luminaire(directory_.write(name, bytes));
+  }
+  std::string error_of(const std::string& name, const std::string& bytes) const {
+    return photometry_error_of([&] { read(name, bytes); });
+  }
+
+  const TemporaryDirectory directory_;
+};
+
+TEST_F(LuminaireFile, FormatIsKnownByContentThenByEnding) {
   const std::string ours = LITFOG_PHOTOMETRY_DIR;
-  EXPECT_EQ(read_luminaire(write("a.LDT", IesText().str())).lamp_flux, 1000);
-  EXPECT_EQ(read_luminaire(write("b.IES", IesText().str())).lamp_flux, 1000);
-  EXPECT_EQ(read_luminaire(write("c", bytes_of(ours + "/isym_4.ldt"))).lamp_flux, 2500);
+  EXPECT_EQ(read("a.LDT", IesText().str()).lamp_flux, 1000);
+  EXPECT_EQ(read("b.IES", IesText().str()).lamp_flux, 1000);
+  EXPECT_EQ(read("c", bytes_of(ours + "/isym_4.ldt")).lamp_flux, 2500);
   std::string company = bytes_of(ours + "/isym_4.ldt");
   company.replace(0, company.find_first_of("\r\n"), "IESA Leuchten GmbH");
-  EXPECT_EQ(read_luminaire(write("f.ldt", company)).manufacturer, "IESA Leuchten GmbH");
-  EXPECT_EQ(photometry_error_of([&] { read_luminaire(write("d.Ies", "x\n")); }), "2:1: TILT: must be given");
-  EXPECT_EQ(photometry_error_of([&] { read_luminaire(write("e.ldt", "x\n")); }),
-            "2:1: type indicator Ityp: must be given");
+  EXPECT_EQ(read("f.ldt", company).manufacturer, "IESA Leuchten GmbH");
+  EXPECT_EQ(error_of("d.Ies", "x\n"), "2:1: TILT: must be given");
+  EXPECT_EQ(error_of("e.ldt", "x\n"), "2:1: type indicator Ityp: must be given");
 }
 
-TEST(Luminaire, FileOfAnotherKindIsNoPhotometricFile) {
-  const TemporaryDirectory directory;
+TEST_F(LuminaireFile, FileOfAnotherKindIsNoPhotometricFile) {
   const std::string rule =
       " not a photometric file: must be of IES LM-63 (with a line TILT=), EULUMDAT, TM-33 or GLDF, or an "
       "isocandela table";
-  const auto error = [&](const char* name, const std::string& bytes) {
-    const std::string path = (directory.path() / name).string();
-    std::ofstream(path, std::ios::binary) << bytes;
-    return photometry_error_of([&] { read_luminaire(path); });
-  };
-  EXPECT_EQ(error("picture.png", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), rule);
-  EXPECT_EQ(error("picture.ies", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), rule);
-  EXPECT_EQ(error("page.ldt", "<!DOCTYPE html>\n<html><body>404</body></html>\n"), rule);
-  EXPECT_EQ(error("notes.txt", "lamps\nthe first\n"), rule);
+  EXPECT_EQ(error_of("picture.png", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), rule);
+  EXPECT_EQ(error_of("picture.ies", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), rule);
+  EXPECT_EQ(error_of("page.ldt", "<!DOCTYPE html>\n<html><body>404</body></html>\n"), rule);
+  EXPECT_EQ(error_of("notes.txt", "lamps\nthe first\n"), rule);
 }
 
-TEST(Luminaire, EmptyFileIsToldSo) {
-  const TemporaryDirectory directory;
+TEST_F(LuminaireFile, EmptyFileIsToldSo) {
   for (const char* name : {"empty", "empty.ies", "empty.ldt", "empty.csv", "empty.xml"}) {
-    for (const char* text : {"", "\r\n \n"}) {
-      const std::string path = (directory.path() / name).string();
-      std::ofstream(path, std::ios::binary) << text;
-      EXPECT_EQ(photometry_error_of([&] { read_luminaire(path); }), " is empty") << name;
-    }
+    for (const char* text : {"", "\r\n \n"}) EXPECT_EQ(error_of(name, text), " is empty") << name;
   }
 }
 
-TEST(Luminaire, MissingFileOrFolderIsAnError) {
-  const TemporaryDirectory directory;
-  EXPECT_EQ(photometry_error_of([&] { read_luminaire((directory.path() / "none.ies").string()); }),
+TEST_F(LuminaireFile, MissingFileOrFolderIsAnError) {
+  EXPECT_EQ(photometry_error_of([&] { read_luminaire((directory_.path() / "none.ies").string()); }),
             " cannot be read: No such file or directory");
-  EXPECT_EQ(photometry_error_of([&] { read_luminaire(directory.path().string()); }), " cannot be read: Is a directory");
+  EXPECT_EQ(photometry_error_of([&] { read_luminaire(directory_.path().string()); }),
+            " cannot be read: Is a directory");
 }
 
-TEST(Luminaire, FileBeyond64MebibytesIsAnError) {
-  const TemporaryDirectory directory;
-  const std::string path = (directory.path() / "large.ies").string();
-  std::ofstream(path) << "TILT=NONE\n";
+TEST_F(LuminaireFile, FileBeyond64MebibytesIsAnError) {
+  const std::string path = directory_.write("large.ies", "TILT=NONE\n");
   std::filesystem::resize_file(path, (std::size_t{64} << 20) + 1);
   EXPECT_EQ(photometry_error_of([&] { read_luminaire(path); }), " file: must not be larger than 67108864 bytes");
 }
 
 #if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own memory would count
-TEST(Luminaire, FilesOfTheLargestSizeAreReadWithinTheStatedMemory) {
-  const TemporaryDirectory directory;
-  const auto write = [&directory](const char* name, const auto& print) {
-    const std::string path = (directory.path() / name).string();
+TEST_F(LuminaireFile, FilesOfTheLargestSizeAreReadWithinTheStatedMemory) {
+  const auto write = [this](const char* name, const auto& print) {
+    const std::string path = (directory_.path() / name).string();
     std::ofstream file(path, std::ios::binary);
     print(file);
     EXPECT_LE(file.tellp(), std::streamoff{64} << 20);

@@ -101,8 +101,7 @@ class StudyTest(Study, unittest.TestCase):
         shifted = {begin + (begin > 0): result for begin, result in self.results.items()}
         doubled = self.results | {0: (2 * self.results[0][0], self.results[0][1])}
         for results in (lacking, shifted, doubled):
-            with self.assertRaises(ValueError):
-                study.summarise(results, VISIBILITIES)
+            self.assertRaises(ValueError, study.summarise, results, VISIBILITIES)
 
     def test_no_workers_and_no_lights_are_refused(self):
         for option in ("--workers", "--visibilities"):

@@ -146,10 +146,8 @@ class PicturesTest(unittest.TestCase):
         with self.assertRaisesRegex(litfog.InputError, "^nowhere: must be a scene file or one of approach, ") as raised:
             render("nowhere")
         self.assertEqual(raised.exception.file, "nowhere")
-        with self.assertRaises(TypeError):
-            render(7)
-        with self.assertRaisesRegex(ValueError, "^scene: must not hold a null character$"):
-            render("room\0")
+        self.assertRaises(TypeError, render, 7)
+        self.assertRaisesRegex(ValueError, "^scene: must not hold a null character$", render, "room\0")
 
     def test_keywords_are_the_options_of_the_command(self):
         with open(stub_file, encoding="utf-8") as file:

@@ -2,12 +2,8 @@
 #include "render/renderer.h"
 
 #include <epoxy/gl.h>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
 #include <chrono>
-#include <cmath>
 #include <ctime>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
@@ -16,8 +12,6 @@
 
 #include "gl/gl_test.h"
 #include "litfog/gl/unsupported.h"
-#include "render/display.h"
-#include "render/gpu/data_texture.h"
 #include "render/gpu/texture.h"
 #include "render/gpu/texture_unit.h"
 #include "render/pixel.h"
@@ -51,11 +45,15 @@ Scene open_air(const Cone& cone) {
   return scene;
 }
 
-Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings = {}) {
-  Renderer renderer(scene, kWidth, kHeight, settings);
+Picture draw(Renderer& renderer, const Fog& fog) {
   renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
   renderer.draw();
   return renderer.read();
+}
+
+Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings = {}) {
+  Renderer renderer(scene, kWidth, kHeight, settings);
+  return draw(renderer, fog);
 }
 
 class RendererTest : public test::GlTest {};
@@ -260,19 +258,14 @@ void change(Scene& scene) {
 TEST_F(RendererTest, ChangedFieldOfViewGivesThePictureOfANewRenderer) {
   Scene scene = read_scene(bundled_scene_path("room"));
   const Fog fog = Fog::from_visibility(FogMode::exp, 30.0);
-  const auto picture_of = [&](Renderer& renderer) {
-    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
-    renderer.draw();
-    return renderer.read().rgb;
-  };
   scene.camera.field_of_view = 0.2f;
   Renderer renderer(scene, kWidth, kHeight, {});
-  const std::vector<float> narrow = picture_of(renderer);
+  const std::vector<float> narrow = draw(renderer, fog).rgb;
   scene.camera.field_of_view = 2.4f;
   Renderer wide(scene, kWidth, kHeight, {});
-  EXPECT_EQ(picture_of(renderer), picture_of(wide));
+  EXPECT_EQ(draw(renderer, fog).rgb, draw(wide, fog).rgb);
   scene.camera.field_of_view = 0.2f;
-  EXPECT_EQ(picture_of(wide), narrow);
+  EXPECT_EQ(draw(wide, fog).rgb, narrow);
 }
 
 TEST_F(RendererTest, ChangedLightsCameraAndSizeGiveThePictureOfANewRenderer) {
@@ -288,17 +281,13 @@ TEST_F(RendererTest, ChangedLightsCameraAndSizeGiveThePictureOfANewRenderer) {
                                   .shadow_map_size = 64};
     Scene scene = original;
     Renderer renderer(scene, kWidth, kHeight, settings);
-    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
-    renderer.draw();
-    const Picture before = renderer.read();
+    const Picture before = draw(renderer, fog);
     change(scene);
     renderer.set_size(80, 45);
     renderer.set_lights();
     renderer.draw();
     Renderer made_anew(scene, 80, 45, settings);
-    made_anew.set_atmosphere(made_anew.scene().atmosphere.with(fog));
-    made_anew.draw();
-    EXPECT_EQ(renderer.read().rgb, made_anew.read().rgb) << path;
+    EXPECT_EQ(renderer.read().rgb, draw(made_anew, fog).rgb) << path;
     scene.lights = original.lights;
     scene.camera = original.camera;
     renderer.set_size(kWidth, kHeight);
@@ -317,14 +306,10 @@ TEST_F(RendererTest, ChangedObjectsGiveThePictureOfANewRenderer) {
                                 .shadows = Shadows::surfaces,
                                 .shadow_lamps = 1,
                                 .shadow_map_size = 64};
-  const auto picture_of = [](Renderer& renderer) {
-    renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 300.0)));
-    renderer.draw();
-    return renderer.read().rgb;
-  };
+  const Fog fog = Fog::from_visibility(FogMode::exp, 300.0);
   Scene scene = original;
   Renderer renderer(scene, 80, 45, settings);
-  const std::vector<float> before = picture_of(renderer);
+  const std::vector<float> before = draw(renderer, fog).rgb;
   for (const Scene* from : {&other, &original}) {
     scene.models = from->models;
     scene.materials = from->materials;
@@ -333,9 +318,9 @@ TEST_F(RendererTest, ChangedObjectsGiveThePictureOfANewRenderer) {
     scene.lights.back().position.x += 1;
     renderer.set_objects();
     renderer.set_lights();
-    const std::vector<float> after = picture_of(renderer);
+    const std::vector<float> after = draw(renderer, fog).rgb;
     Renderer made_anew(scene, 80, 45, settings);
-    EXPECT_EQ(after, picture_of(made_anew)) << from->name;
+    EXPECT_EQ(after, draw(made_anew, fog).rgb) << from->name;
     EXPECT_EQ(renderer.materials().size(), made_anew.materials().size()) << from->name;
     EXPECT_NE(after, before) << from->name;
   }
@@ -368,10 +353,8 @@ TEST_F(RendererTest, NextFrameOfTheSameFogIsTheFirstInEveryBundledScene) {
                          .shadows = shadows,
                          .shadow_map_size = 64,
                          .shaft_steps = 4});
-      renderer.set_atmosphere(renderer.scene().atmosphere.with(
-          Fog::from_visibility(FogMode::exp, 3 * suggested_visibility(scene))));  // lamps have far airlight
-      renderer.draw();
-      const Picture first = renderer.read();
+      const double visibility = 3 * suggested_visibility(scene);  // lamps have far airlight
+      const Picture first = draw(renderer, Fog::from_visibility(FogMode::exp, visibility));
       renderer.draw();
       EXPECT_EQ(renderer.read().rgb, first.rgb) << name << ", shadows " << int(shadows);
     }
@@ -381,9 +364,7 @@ TEST_F(RendererTest, NextFrameOfTheSameFogIsTheFirstInEveryBundledScene) {
 TEST_F(RendererTest, InterruptedFrameLeavesTheNextOneAsItIs) {
   const Scene scene = read_scene(bundled_scene_path("room"));
   Renderer renderer(scene, 40, 24, {.fog_lighting = FogLighting::airlight});
-  renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 40.0)));
-  renderer.draw();
-  const std::vector<float> whole = renderer.read().rgb;
+  const std::vector<float> whole = draw(renderer, Fog::from_visibility(FogMode::exp, 40.0)).rgb;
   int interruptions = 0;
   for (bool is_interrupted = true; is_interrupted; interruptions += is_interrupted) {
     int asked = 0;
@@ -454,9 +435,7 @@ TEST_F(RendererTest, LightBeyondHalfFloatsIsWholeWhenDrawnInFloats) {
     Scene scene = open_air(Cone{});
     scene.environment.sky_zenith = scene.environment.sky_horizon = glm::vec3(0.3f, 8e4f, 2e6f);
     Renderer renderer(scene, kWidth, kHeight, {.fog_lighting = fog_lighting});
-    renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog{FogMode::exp, 0}));
-    renderer.draw();
-    EXPECT_TRUE(is_cut_off(renderer.read()));
+    EXPECT_TRUE(is_cut_off(draw(renderer, Fog{FogMode::exp, 0})));
     const glm::dvec3 whole = pixel(renderer.draw_in_floats(), kWidth / 2, kHeight / 4);
     EXPECT_NEAR(whole.g, 8e4, 1);
     EXPECT_NEAR(whole.b, 2e6, 10);

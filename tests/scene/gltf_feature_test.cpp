@@ -32,9 +32,7 @@ constexpr int kFloat = 5126;
 
 class GltfFeature : public GltfFileTest {
  protected:
-  json& primitive() { return file_["meshes"][0]["primitives"][0]; }
   json& attributes() { return primitive()["attributes"]; }
-  json& material() { return file_["materials"][0]; }
 
   /// Returns the index of a buffer view.
   std::size_t add_view(const std::string& bytes) {
@@ -72,7 +70,6 @@ class GltfFeature : public GltfFileTest {
   Scene read_file() const { return read(file_, buffer_); }
   std::string error() const { return error_of(file_, buffer_); }
 
-  json file_ = floor_scene();
   std::string buffer_ = floor_bytes();
 };
 

@@ -16,15 +16,12 @@
 
 namespace litfog::test {
 
-/// Writes glTF files and reads them as scenes.
+/// Writes glTF files and reads them as scenes, above all one that a test changes.
 class GltfFileTest : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return (directory_.path() / name).string(); }
 
-  std::string write(const std::string& name, const std::string& bytes) const {
-    std::ofstream(path(name), std::ios::binary) << bytes;
-    return path(name);
-  }
+  std::string write(const std::string& name, const std::string& bytes) const { return directory_.write(name, bytes); }
   /// As text, with the buffer in it.
   scene::Scene read(json file, const std::string& buffer = floor_bytes()) const {
     if (file.contains("buffers")) {
@@ -51,8 +48,14 @@ class GltfFileTest : public testing::Test {
     return "no error";
   }
 
+  json& primitive() { return file_["meshes"][0]["primitives"][0]; }
+  json& material() { return file_["materials"][0]; }
+  json& light() { return file_["extensions"]["KHR_lights_punctual"]["lights"][0]; }
+
+  json file_ = floor_scene();
+
  private:
-  test::TemporaryDirectory directory_;
+  TemporaryDirectory directory_;
 };
 
 /// A picture of a colour, as the bytes of a PNG file.

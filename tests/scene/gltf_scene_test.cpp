@@ -34,10 +34,9 @@ using std::numbers::pi;
 class GltfScene : public GltfFileTest {};
 
 TEST_F(GltfScene, MeshesAreAtTheirNodesAndTheCameraAtItsOwn) {
-  json file = floor_scene();
-  file["nodes"][0] = {{"translation", {1, 2, 3}}, {"scale", {1, 1, 0.5}}, {"children", {3}}};
-  file["nodes"].push_back({{"mesh", 0}, {"rotation", {0, 0.70710678, 0, 0.70710678}}});
-  const Scene scene = read(file);
+  file_["nodes"][0] = {{"translation", {1, 2, 3}}, {"scale", {1, 1, 0.5}}, {"children", {3}}};
+  file_["nodes"].push_back({{"mesh", 0}, {"rotation", {0, 0.70710678, 0, 0.70710678}}});
+  const Scene scene = read(file_);
   ASSERT_EQ(scene.instances.size(), 1u);
   const Bounds box = bounds(scene.models.at(0));
   EXPECT_LT(glm::distance(box.low, glm::vec3(-9, 2, -2)), 1e-5f);
@@ -57,13 +56,12 @@ TEST_F(GltfScene, MeshesAreAtTheirNodesAndTheCameraAtItsOwn) {
 TEST_F(GltfScene, MeshesFarFromTheOriginKeepTheirShape) {
   const double turn = 0.3;
   const glm::dvec3 place(1'000'000.25, 30.5, -9'876'543.1);
-  json file = floor_scene();
-  file["nodes"][0] = {{"mesh", 0},
-                      {"translation", {place.x, place.y, place.z}},
-                      {"rotation", {0, std::sin(turn / 2), 0, std::cos(turn / 2)}}};
-  file["nodes"].push_back({{"mesh", 0}});
-  file["scenes"][0]["nodes"] = {0, 3};
-  const Scene scene = read(file);
+  file_["nodes"][0] = {{"mesh", 0},
+                       {"translation", {place.x, place.y, place.z}},
+                       {"rotation", {0, std::sin(turn / 2), 0, std::cos(turn / 2)}}};
+  file_["nodes"].push_back({{"mesh", 0}});
+  file_["scenes"][0]["nodes"] = {0, 3};
+  const Scene scene = read(file_);
   ASSERT_EQ(scene.instances.size(), 2u);  // the near one has an origin of its own
   const glm::dmat4 world_from_node = glm::rotate(glm::translate(glm::dmat4(1), place), turn, glm::dvec3(0, 1, 0));
   const auto expect_floor = [&](const Instance& instance, const glm::dmat4& expected) {
@@ -101,9 +99,8 @@ TEST_F(GltfScene, ACameraThatLooksStraightUpOrDownKeepsItsUpright) {
 }
 
 TEST_F(GltfScene, ARolledCameraIsDrawnUprightAndSaysSo) {
-  json file = floor_scene();
-  file["nodes"][1]["rotation"] = {0, 0, std::sin(0.15), std::cos(0.15)};
-  EXPECT_EQ(read(file).left_out, "the camera's roll of 17 degrees");
+  file_["nodes"][1]["rotation"] = {0, 0, std::sin(0.15), std::cos(0.15)};
+  EXPECT_EQ(read(file_).left_out, "the camera's roll of 17 degrees");
 }
 
 TEST_F(GltfScene, ABinaryFileAndOneWithItsBufferBesideItAreTheSame) {
@@ -123,11 +120,9 @@ TEST_F(GltfScene, ABinaryFileAndOneWithItsBufferBesideItAreTheSame) {
 }
 
 TEST_F(GltfScene, APointLightHasItsCandela) {
-  json file = floor_scene();
-  json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
   for (const double intensity : {0.01, 40.0, 900.0, 1e6, 1e10}) {
-    light["intensity"] = intensity;
-    const PlacedLight placed = read(file).lights.at(0);
+    light()["intensity"] = intensity;
+    const PlacedLight placed = read(file_).lights.at(0);
     EXPECT_EQ(placed.light.name, "lamp");
     EXPECT_FALSE(placed.carried);
     EXPECT_LT(glm::distance(candela(placed.light), glm::dvec3(1, 0.5, 0.25) * intensity), 1e-14 * intensity);
@@ -139,16 +134,14 @@ TEST_F(GltfScene, APointLightHasItsCandela) {
     }
     EXPECT_EQ(placed.light.threshold, 1.0 / 512) << "half of 1/256";
   }
-  light["intensity"] = 1e30;
-  EXPECT_EQ(error_of(file), "extensions.KHR_lights_punctual.lights[0].intensity = 1e+30: must be at most 10000000000");
+  light()["intensity"] = 1e30;
+  EXPECT_EQ(error_of(file_), "extensions.KHR_lights_punctual.lights[0].intensity = 1e+30: must be at most 10000000000");
 }
 
 TEST_F(GltfScene, ALightEndsAtItsRange) {
-  json file = floor_scene();
-  json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
   for (const double range : {0.5, 7.0, 500.0}) {
-    light["range"] = range;
-    const Scene scene = read(file);
+    light()["range"] = range;
+    const Scene scene = read(file_);
     const Light& given = scene.lights.at(0).light;
     EXPECT_NEAR(compute_extent(given.attenuation, given.threshold), range, 1e-12 * range);
     EXPECT_NEAR(candela(given).r, 40, 1e-12);
@@ -156,12 +149,11 @@ TEST_F(GltfScene, ALightEndsAtItsRange) {
 }
 
 TEST_F(GltfScene, ASpotAtTheCameraIsCarriedAndLooksWithIt) {
-  json file = floor_scene();
-  json& lights = file["extensions"]["KHR_lights_punctual"]["lights"];
+  json& lights = file_["extensions"]["KHR_lights_punctual"]["lights"];
   lights[0] = {{"type", "spot"}, {"intensity", 900}, {"spot", {{"innerConeAngle", 0.1}, {"outerConeAngle", 0.3}}}};
-  file["nodes"][1]["children"] = {2};
-  file["scenes"][0]["nodes"] = {0, 1};
-  const Scene scene = read(file);
+  file_["nodes"][1]["children"] = {2};
+  file_["scenes"][0]["nodes"] = {0, 1};
+  const Scene scene = read(file_);
   const PlacedLight& light = scene.lights.at(0);
   EXPECT_TRUE(light.carried);
   EXPECT_EQ(light.light.cone, Cone::smoothstep(0.1, 0.3));
@@ -170,35 +162,31 @@ TEST_F(GltfScene, ASpotAtTheCameraIsCarriedAndLooksWithIt) {
 }
 
 TEST_F(GltfScene, ADirectionalLightIsTheMoon) {
-  json file = floor_scene();
-  file["extensions"]["KHR_lights_punctual"]["lights"][0] = {{"type", "directional"}, {"intensity", 0.2}};
-  const Scene scene = read(file);
+  light() = {{"type", "directional"}, {"intensity", 0.2}};
+  const Scene scene = read(file_);
   EXPECT_TRUE(scene.lights.empty());
   EXPECT_NEAR(double(scene.environment.moon_color.r), 0.2 / 20, 1e-9);
   EXPECT_LT(glm::distance(scene.environment.moon_direction, glm::vec3(0, 0, 1)), 1e-6f);
 }
 
 TEST_F(GltfScene, TheBrightestOfSeveralDirectionalLightsIsTheMoon) {
-  json file = floor_scene();
   for (const double lux : {1., 3., 2.}) {
-    json& lights = file["extensions"]["KHR_lights_punctual"]["lights"];
-    file["scenes"][0]["nodes"].push_back(file["nodes"].size());
-    file["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", lights.size()}}}}}});
+    json& lights = file_["extensions"]["KHR_lights_punctual"]["lights"];
+    file_["scenes"][0]["nodes"].push_back(file_["nodes"].size());
+    file_["nodes"].push_back({{"extensions", {{"KHR_lights_punctual", {{"light", lights.size()}}}}}});
     lights.push_back({{"type", "directional"}, {"intensity", lux}});
   }
-  const Scene scene = read(file);
+  const Scene scene = read(file_);
   EXPECT_NEAR(double(scene.environment.moon_color.r), 3. / 20, 1e-7);
   EXPECT_EQ(scene.left_out, "2 directional lights but for the brightest");
 }
 
 // A night's fog before a sunlit scene would be black.
 TEST_F(GltfScene, ADirectionalLightLightsFogAndSky) {
-  json file = floor_scene();
-  const Scene night_scene = read(file);
+  const Scene night_scene = read(file_);
   const Environment& night = night_scene.environment;
-  file["extensions"]["KHR_lights_punctual"]["lights"][0] = {
-      {"type", "directional"}, {"intensity", 68'300}, {"color", {1, 0.9, 0.8}}};
-  const Scene day_scene = read(file);
+  light() = {{"type", "directional"}, {"intensity", 68'300}, {"color", {1, 0.9, 0.8}}};
+  const Scene day_scene = read(file_);
   const Environment& day = day_scene.environment;
   const glm::vec3 scattered = glm::vec3(1, 0.9f, 0.8f) * float(68'300 / (4 * 20.));
   const auto expect_near = [](const glm::vec3& actual, const glm::vec3& expected) {
@@ -212,14 +200,12 @@ TEST_F(GltfScene, ADirectionalLightLightsFogAndSky) {
 }
 
 TEST_F(GltfScene, ASunIsTakenUpToTheEndOfHalfFloats) {
-  json file = floor_scene();
-  json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
-  light = {{"type", "directional"}, {"intensity", 68'300}};
-  EXPECT_NEAR(double(read(file).environment.moon_color.r), 68'300 / 20., 1e-2);
-  light["intensity"] = 1'310'080;
-  EXPECT_LE(read(file).environment.moon_color.r, 65'504.0f);
-  light["intensity"] = 1'310'081;
-  EXPECT_EQ(error_of(file),
+  light() = {{"type", "directional"}, {"intensity", 68'300}};
+  EXPECT_NEAR(double(read(file_).environment.moon_color.r), 68'300 / 20., 1e-2);
+  light()["intensity"] = 1'310'080;
+  EXPECT_LE(read(file_).environment.moon_color.r, 65'504.0f);
+  light()["intensity"] = 1'310'081;
+  EXPECT_EQ(error_of(file_),
             "extensions.KHR_lights_punctual.lights[0].intensity = 1310081: must not show more than 65504 times the "
             "display's white");
 }
@@ -245,19 +231,17 @@ TEST_F(GltfScene, TheFarthestCornerKeeps37PercentOfItsContrastWhereNoVisibilityI
 }
 
 TEST_F(GltfScene, VisibilitiesHaveTwoSignificantDigits) {
-  json file = floor_scene();
   for (const auto& [scale, height, shown] :
        {std::tuple{1.0, 400.0, "4100 1300 410"}, {1.0, 0.5, "150 43 15"}, {0.1, 0.05, "15 4.3 1.5"}}) {
-    file["nodes"][0]["scale"] = {scale, scale, scale};
-    file["nodes"][1]["translation"] = {0, height, 0};
-    EXPECT_EQ(fmt::format("{}", fmt::join(read(file).visibilities, " ")), shown);
+    file_["nodes"][0]["scale"] = {scale, scale, scale};
+    file_["nodes"][1]["translation"] = {0, height, 0};
+    EXPECT_EQ(fmt::format("{}", fmt::join(read(file_).visibilities, " ")), shown);
   }
 }
 
 TEST_F(GltfScene, AFileWithoutLightsOrCameraIsStillSeen) {
-  json file = floor_scene();
-  file["scenes"][0]["nodes"] = {0};
-  const Scene scene = read(file);
+  file_["scenes"][0]["nodes"] = {0};
+  const Scene scene = read(file_);
   const Environment& environment = scene.environment;
   EXPECT_EQ(environment.ambient_light, glm::vec3(0.3f));
   EXPECT_EQ(environment.moon_color, glm::vec3(0.6f));
@@ -269,12 +253,10 @@ TEST_F(GltfScene, AFileWithoutLightsOrCameraIsStillSeen) {
 }
 
 TEST_F(GltfScene, MetallicRoughnessBecomesTheBasicModel) {
-  json file = floor_scene();
-  file["materials"][0] = {
-      {"pbrMetallicRoughness",
-       {{"baseColorFactor", {0.5, 0.25, 1, 1}}, {"metallicFactor", 0.25}, {"roughnessFactor", 0.5}}},
-      {"emissiveFactor", {0, 0.5, 0}}};
-  const Scene scene = read(file);
+  material() = {{"pbrMetallicRoughness",
+                 {{"baseColorFactor", {0.5, 0.25, 1, 1}}, {"metallicFactor", 0.25}, {"roughnessFactor", 0.5}}},
+                {"emissiveFactor", {0, 0.5, 0}}};
+  const Scene scene = read(file_);
   const Material& material = scene.materials.at(0);
   const float shininess = 2 / 0.0625f - 2;  // alpha = 0.25
   EXPECT_FLOAT_EQ(material.shininess, shininess);
@@ -293,15 +275,14 @@ TEST_F(GltfScene, WithoutANormalMapSurfacesAreFlat) {
 TEST_F(GltfScene, PicturesAreReadFromFilesAndFromBuffers) {
   const std::vector<std::uint8_t> rgb{10, 20, 30, 40, 50, 60, 70, 80, 90, 100, 110, 120};
   const std::string bytes = png(path("base.png"), rgb, 2);
-  json file = floor_scene();
-  file["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}}}};
-  file["textures"] = {{{"source", 0}}};
-  file["images"] = {{{"uri", "base.png"}}};
-  const Scene external = read(file);
-  file["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 140}, {"byteLength", bytes.size()}});
-  file["buffers"][0]["byteLength"] = 140 + bytes.size();
-  file["images"] = {{{"bufferView", 4}, {"mimeType", "image/png"}}};
-  const Scene embedded = read(file, floor_bytes() + bytes);
+  material() = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}}}};
+  file_["textures"] = {{{"source", 0}}};
+  file_["images"] = {{{"uri", "base.png"}}};
+  const Scene external = read(file_);
+  file_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 140}, {"byteLength", bytes.size()}});
+  file_["buffers"][0]["byteLength"] = 140 + bytes.size();
+  file_["images"] = {{{"bufferView", 4}, {"mimeType", "image/png"}}};
+  const Scene embedded = read(file_, floor_bytes() + bytes);
   const std::vector<std::uint8_t> rgba{10, 20, 30, 255, 40, 50, 60, 255, 70, 80, 90, 255, 100, 110, 120, 255};
   for (const Scene* scene : {&external, &embedded}) {
     EXPECT_EQ(scene->materials.at(0).albedo->width, 2);
@@ -321,97 +302,86 @@ TEST_F(GltfScene, TheBitangentPointsUpInTheNormalMap) {
 }
 
 TEST_F(GltfScene, AFileWithoutTrianglesFails) {
-  json file = floor_scene();
-  file["meshes"][0]["primitives"] = json::array();
-  EXPECT_EQ(error_of(file), "meshes: must hold triangles");
+  file_["meshes"][0]["primitives"] = json::array();
+  EXPECT_EQ(error_of(file_), "meshes: must hold triangles");
 }
 
 TEST_F(GltfScene, AFileWithoutACameraIsLargerThanAPoint) {
-  json file = floor_scene();
-  file["nodes"][0]["scale"] = {1.2e-6, 1.2e-6, 1.2e-6};
-  file["nodes"][0]["translation"] = {1e6, 0, 1e6};  // 448 m from a multiple of 1024 m: floats resolve 31 micrometres
-  EXPECT_EQ(read(file).camera.position, glm::dvec3(0, 5, 5));
-  file["scenes"][0]["nodes"] = {0};
-  EXPECT_EQ(error_of(file), "meshes: must be larger than a point");
+  file_["nodes"][0]["scale"] = {1.2e-6, 1.2e-6, 1.2e-6};
+  file_["nodes"][0]["translation"] = {1e6, 0, 1e6};  // 448 m from a multiple of 1024 m: floats resolve 31 micrometres
+  EXPECT_EQ(read(file_).camera.position, glm::dvec3(0, 5, 5));
+  file_["scenes"][0]["nodes"] = {0};
+  EXPECT_EQ(error_of(file_), "meshes: must be larger than a point");
 }
 
 TEST_F(GltfScene, APointLightNeedsNoDirection) {
-  json file = floor_scene();
-  file["nodes"][2]["scale"] = {0, 0, 0};
-  EXPECT_EQ(read(file).lights.at(0).position, glm::dvec3(0.5, 2, 0));
+  file_["nodes"][2]["scale"] = {0, 0, 0};
+  EXPECT_EQ(read(file_).lights.at(0).position, glm::dvec3(0.5, 2, 0));
 }
 
 TEST_F(GltfScene, ScaleOfZeroLeavesALightsAndTheCamerasDirection) {
-  json file = floor_scene();
-  json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
   const double half = std::sqrt(0.5);
-  file["nodes"][1]["scale"] = {0, 1, 0};
-  file["nodes"][2]["scale"] = {0, 0, 0};
-  file["nodes"][2]["rotation"] = {-half, 0, 0, half};  // straight down
-  light = {{"type", "spot"}, {"spot", json::object()}};
-  const Scene scene = read(file);
+  file_["nodes"][1]["scale"] = {0, 1, 0};
+  file_["nodes"][2]["scale"] = {0, 0, 0};
+  file_["nodes"][2]["rotation"] = {-half, 0, 0, half};  // straight down
+  light() = {{"type", "spot"}, {"spot", json::object()}};
+  const Scene scene = read(file_);
   EXPECT_LT(glm::distance(scene.lights.at(0).direction, glm::dvec3(0, -1, 0)), 1e-12);
   EXPECT_EQ(scene.camera.position, glm::dvec3(0, 5, 5));
   EXPECT_LT(glm::distance(axes_of(scene.camera).forward, glm::dvec3(0, -half, -half)), 1e-6);
-  light = {{"type", "directional"}};
-  EXPECT_LT(glm::distance(read(file).environment.moon_direction, glm::vec3(0, 1, 0)), 1e-6f);
-  file["nodes"][2].erase("scale");
-  file["nodes"][2].erase("rotation");
-  file["nodes"][2].erase("translation");
-  file["nodes"][2]["matrix"] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 2, 0, 1};
-  EXPECT_LT(glm::distance(read(file).environment.moon_direction, glm::vec3(0, 0, 1)), 1e-6f);
+  light() = {{"type", "directional"}};
+  EXPECT_LT(glm::distance(read(file_).environment.moon_direction, glm::vec3(0, 1, 0)), 1e-6f);
+  file_["nodes"][2].erase("scale");
+  file_["nodes"][2].erase("rotation");
+  file_["nodes"][2].erase("translation");
+  file_["nodes"][2]["matrix"] = {1, 0, 0, 0, 0, 0, -1, 0, 0, 0, 0, 0, 0, 2, 0, 1};
+  EXPECT_LT(glm::distance(read(file_).environment.moon_direction, glm::vec3(0, 0, 1)), 1e-6f);
 }
 
 TEST_F(GltfScene, RangeBeyondTheSceneEndsWithIt) {
-  json file = floor_scene();
-  json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
-  light["range"] = 1e7;
-  const Light meant = read(file).lights.at(0).light;
+  light()["range"] = 1e7;
+  const Light meant = read(file_).lights.at(0).light;
   for (const double range : {1.00001e7, 1e12, 1.7e308}) {
-    light["range"] = range;
-    EXPECT_EQ(read(file).lights.at(0).light.threshold, meant.threshold) << range;
-    EXPECT_EQ(read(file).lights.at(0).light.attenuation, meant.attenuation) << range;
+    light()["range"] = range;
+    EXPECT_EQ(read(file_).lights.at(0).light.threshold, meant.threshold) << range;
+    EXPECT_EQ(read(file_).lights.at(0).light.attenuation, meant.attenuation) << range;
   }
 }
 
 TEST_F(GltfScene, NumbersThatFloatsRoundBeyondALimitAreTheLimit) {
-  json file = floor_scene();
-  json& light = file["extensions"]["KHR_lights_punctual"]["lights"][0];
-  light = {{"type", "spot"}, {"spot", {{"outerConeAngle", double(float(pi / 2))}}}};
-  json& material = file["materials"][0];
-  json& pbr = material["pbrMetallicRoughness"];
+  light() = {{"type", "spot"}, {"spot", {{"outerConeAngle", double(float(pi / 2))}}}};
+  json& pbr = material()["pbrMetallicRoughness"];
   const double above = double(std::nextafter(1.0f, 2.0f));
-  material["alphaMode"] = "BLEND";
-  material["emissiveFactor"] = {above, 1.00016, 0};
+  material()["alphaMode"] = "BLEND";
+  material()["emissiveFactor"] = {above, 1.00016, 0};
   pbr["metallicFactor"] = above;
   pbr["roughnessFactor"] = above;
   pbr["baseColorFactor"] = {1.00016, 0, above, 1.00016};
-  const Scene scene = read(file);
+  const Scene scene = read(file_);
   EXPECT_EQ(scene.lights.at(0).light.cone.outer, pi / 2);
   const Material& read_one = scene.materials.at(0);
   EXPECT_EQ(read_one.opacity, 1.0f);
   EXPECT_EQ(read_one.emissive, glm::vec3(1, 1, 0));
   EXPECT_EQ(read_one.plain_albedo, glm::vec3(0)) << "all of it is metal";
   pbr["metallicFactor"] = 0;
-  EXPECT_EQ(read(file).materials.at(0).plain_albedo, glm::vec3(1, 0, 1));
+  EXPECT_EQ(read(file_).materials.at(0).plain_albedo, glm::vec3(1, 0, 1));
 
   pbr["baseColorFactor"] = {1.01, 0, 1, 1};
-  EXPECT_EQ(error_of(file),
+  EXPECT_EQ(error_of(file_),
             "materials[0].pbrMetallicRoughness.baseColorFactor = an array: must be 4 numbers in [0, 1]");
   pbr.erase("baseColorFactor");
   pbr["metallicFactor"] = 1.000001;
   EXPECT_TRUE(
-      error_of(file).starts_with("materials[0].pbrMetallicRoughness.metallicFactor = 1.000001: must be in [0, 1]"));
+      error_of(file_).starts_with("materials[0].pbrMetallicRoughness.metallicFactor = 1.000001: must be in [0, 1]"));
   pbr.erase("metallicFactor");
-  light["spot"]["outerConeAngle"] = 1.571;
-  EXPECT_EQ(error_of(file),
+  light()["spot"]["outerConeAngle"] = 1.571;
+  EXPECT_EQ(error_of(file_),
             "extensions.KHR_lights_punctual.lights[0].spot.outerConeAngle = 1.571: must be at most pi/2");
 }
 
 TEST_F(GltfScene, WithoutNormalsEachTriangleIsFlat) {
-  json file = floor_scene();
-  file["meshes"][0]["primitives"][0]["attributes"].erase("NORMAL");
-  const Scene scene = read(file);
+  primitive()["attributes"].erase("NORMAL");
+  const Scene scene = read(file_);
   ASSERT_EQ(scene.models[0][0].mesh.vertices.size(), 6u);
   for (const Vertex& vertex : scene.models[0][0].mesh.vertices) EXPECT_EQ(vertex.normal, glm::vec3(0, 1, 0));
 }
@@ -472,22 +442,21 @@ TEST_F(GltfScene, ErrorsNameLocationValueAndRule) {
 }
 
 TEST_F(GltfScene, PicturesThatCannotBeReadFail) {
-  json file = floor_scene();
-  file["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}};
-  file["textures"] = {{{"source", 0}}};
-  file["images"] = {{{"uri", "none.png"}}};
-  EXPECT_EQ(error_of(file), "images[0] = an object: must be a picture that can be read: " + path("none.png") +
-                                ": cannot be read: No such file or directory");
+  material() = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}};
+  file_["textures"] = {{{"source", 0}}};
+  file_["images"] = {{{"uri", "none.png"}}};
+  EXPECT_EQ(error_of(file_), "images[0] = an object: must be a picture that can be read: " + path("none.png") +
+                                 ": cannot be read: No such file or directory");
   write("text.png", "no picture");
-  file["images"] = {{{"uri", "text.png"}}};
-  EXPECT_EQ(error_of(file), "images[0] = an object: must be a PNG, JPEG or WebP picture");
+  file_["images"] = {{{"uri", "text.png"}}};
+  EXPECT_EQ(error_of(file_), "images[0] = an object: must be a PNG, JPEG or WebP picture");
   const std::string whole = png(path("whole.png"), std::vector<std::uint8_t>(3 * 64 * 64, 77), 64);
   write("half.png", whole.substr(0, whole.size() / 2));
-  file["images"] = {{{"uri", "half.png"}}};
+  file_["images"] = {{{"uri", "half.png"}}};
   testing::internal::CaptureStderr();  // to which libraries write of themselves
-  EXPECT_EQ(error_of(file).find("images[0] = an object: must be a sound picture: "), 0u) << error_of(file);
+  EXPECT_EQ(error_of(file_).find("images[0] = an object: must be a sound picture: "), 0u) << error_of(file_);
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
-  EXPECT_EQ(error_of(file).find('\n'), std::string::npos) << error_of(file);
+  EXPECT_EQ(error_of(file_).find('\n'), std::string::npos) << error_of(file_);
 }
 
 TEST_F(GltfScene, FilesThatAreNoGltfFail) {
@@ -531,13 +500,12 @@ TEST_F(GltfScene, BuffersThatAreNotAsStatedFail) {
 TEST_F(GltfScene, AFileBesideItIsReadUpToItsLimitOnly) {
   write("large", "");
   std::filesystem::resize_file(path("large"), std::uintmax_t{3} << 30);  // sparse
-  json file = floor_scene();
-  file["buffers"][0]["uri"] = "large";
-  EXPECT_EQ(error_as_given(file), "no error");  // a buffer may be the beginning of a file
+  file_["buffers"][0]["uri"] = "large";
+  EXPECT_EQ(error_as_given(file_), "no error");  // a buffer may be the beginning of a file
   std::filesystem::create_symlink("/dev/zero", path("endless"));
-  file["buffers"][0]["uri"] = "endless";
-  EXPECT_EQ(error_as_given(file), "buffers[0] = an object: must be a buffer that can be read: " + path("endless") +
-                                      ": cannot be read: Is a device");
+  file_["buffers"][0]["uri"] = "endless";
+  EXPECT_EQ(error_as_given(file_), "buffers[0] = an object: must be a buffer that can be read: " + path("endless") +
+                                       ": cannot be read: Is a device");
   json pictured = floor_scene();
   pictured["materials"][0] = {{"normalTexture", {{"index", 0}}}};
   pictured["textures"] = {{{"source", 0}}};
@@ -547,15 +515,13 @@ TEST_F(GltfScene, AFileBesideItIsReadUpToItsLimitOnly) {
 }
 
 TEST_F(GltfScene, BuffersAreCountedBeforeTheyAreRead) {
-  json file = floor_scene();
-  for (int i = 1; i < 4; ++i) file["buffers"].push_back({{"uri", "none.bin"}, {"byteLength", 1 << 29}});
-  EXPECT_EQ(error_of(file), "buffers[2].byteLength = 536870912: buffers must be at most 1024 MiB in all");
+  for (int i = 1; i < 4; ++i) file_["buffers"].push_back({{"uri", "none.bin"}, {"byteLength", 1 << 29}});
+  EXPECT_EQ(error_of(file_), "buffers[2].byteLength = 536870912: buffers must be at most 1024 MiB in all");
 }
 
 TEST_F(GltfScene, ABinaryChunkEndsWithinItsFile) {
-  json file = floor_scene();
-  file["buffers"][0]["byteLength"] = 148;
-  std::string bytes = binary_file(file, floor_bytes());
+  file_["buffers"][0]["byteLength"] = 148;
+  std::string bytes = binary_file(file_, floor_bytes());
   bytes[bytes.size() - 140 - 8] = char(148);  // the chunk's length
   EXPECT_EQ(sentence_of<InputError>([&] { read_scene(write("over.glb", bytes)); }),
             path("over.glb") + ": must not end within its binary chunk");
@@ -564,27 +530,25 @@ TEST_F(GltfScene, ABinaryChunkEndsWithinItsFile) {
 // 3 vertices and a million triangles of them: 20 nodes are within the limit.
 TEST_F(GltfScene, EachNodeCountsTheTrianglesOfItsMesh) {
   constexpr std::size_t kIndices = 3'000'000;
-  json file = floor_scene();
-  file["accessors"][3] = {{"bufferView", 3}, {"componentType", 5121}, {"count", kIndices}, {"type", "SCALAR"}};
-  file["bufferViews"][3]["byteLength"] = kIndices;
-  file["buffers"][0]["byteLength"] = 128 + kIndices;
+  file_["accessors"][3] = {{"bufferView", 3}, {"componentType", 5121}, {"count", kIndices}, {"type", "SCALAR"}};
+  file_["bufferViews"][3]["byteLength"] = kIndices;
+  file_["buffers"][0]["byteLength"] = 128 + kIndices;
   for (std::size_t i = 3; i < 23; ++i) {
-    file["nodes"].push_back({{"mesh", 0}});
-    file["scenes"][0]["nodes"].push_back(i);
+    file_["nodes"].push_back({{"mesh", 0}});
+    file_["scenes"][0]["nodes"].push_back(i);
   }
-  EXPECT_EQ(error_of(file, floor_bytes().substr(0, 128) + std::string(kIndices, '\0')),
+  EXPECT_EQ(error_of(file_, floor_bytes().substr(0, 128) + std::string(kIndices, '\0')),
             "meshes[0].primitives[0] = an object: triangles must be at most 20000000 in all, vertices 20000000");
 }
 
-// Flat triangles take three vertices each, however few there are in the file.
+// Flat triangles take three vertices each, however few there are in the file_.
 TEST_F(GltfScene, AMeshIsCountedBeforeItIsMade) {
   constexpr std::size_t kIndices = 21'000'000;
-  json file = floor_scene();
-  file["meshes"][0]["primitives"][0]["attributes"] = {{"POSITION", 0}};
-  file["accessors"][3] = {{"bufferView", 3}, {"componentType", 5121}, {"count", kIndices}, {"type", "SCALAR"}};
-  file["bufferViews"][3]["byteLength"] = kIndices;
-  file["buffers"][0]["byteLength"] = 128 + kIndices;
-  EXPECT_EQ(error_of(file, floor_bytes().substr(0, 128) + std::string(kIndices, '\0')),
+  primitive()["attributes"] = {{"POSITION", 0}};
+  file_["accessors"][3] = {{"bufferView", 3}, {"componentType", 5121}, {"count", kIndices}, {"type", "SCALAR"}};
+  file_["bufferViews"][3]["byteLength"] = kIndices;
+  file_["buffers"][0]["byteLength"] = 128 + kIndices;
+  EXPECT_EQ(error_of(file_, floor_bytes().substr(0, 128) + std::string(kIndices, '\0')),
             "meshes[0].primitives[0] = an object: triangles must be at most 20000000 in all, vertices 20000000");
 }
 
@@ -592,22 +556,21 @@ TEST_F(GltfScene, AMeshIsCountedBeforeItIsMade) {
 TEST_F(GltfScene, MaterialsShareAPicture) {
   constexpr int kSide = 2048;
   png(path("atlas.png"), std::vector<std::uint8_t>(std::size_t{3} * kSide * kSide, 99), kSide);
-  json file = floor_scene();
-  file["textures"] = {{{"source", 0}}};
-  file["images"] = {{{"uri", "atlas.png"}}};
-  const json primitive = file["meshes"][0]["primitives"][0];
+  file_["textures"] = {{{"source", 0}}};
+  file_["images"] = {{{"uri", "atlas.png"}}};
+  const json floor = primitive();
   for (std::size_t i = 0; i < 33; ++i) {
-    file["materials"][i] = {
+    file_["materials"][i] = {
         {"normalTexture", {{"index", 0}}},
         {"pbrMetallicRoughness",
          {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}, {"roughnessFactor", double(i) / 32}}}};
-    file["meshes"][0]["primitives"][i] = primitive;
-    file["meshes"][0]["primitives"][i]["material"] = i;
+    file_["meshes"][0]["primitives"][i] = floor;
+    file_["meshes"][0]["primitives"][i]["material"] = i;
   }
   for (const unsigned tinted : {31u, 32u}) {
-    file["materials"][tinted]["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 1, 1, 1};
+    file_["materials"][tinted]["pbrMetallicRoughness"]["baseColorFactor"] = {0.5, 1, 1, 1};
   }
-  const Scene scene = read(file);
+  const Scene scene = read(file_);
   ASSERT_EQ(scene.materials.size(), 33u);
   EXPECT_EQ(scene.materials[0].albedo, scene.materials[30].albedo);
   EXPECT_EQ(scene.materials[0].normal, scene.materials[32].normal);
@@ -619,14 +582,13 @@ TEST_F(GltfScene, MaterialsShareAPicture) {
 
 // Whatever a byte is changed to, and wherever the file ends: it is read, or fails with a sentence.
 TEST_F(GltfScene, NoDamageCrashesTheReader) {
-  json file = floor_scene();
   const std::string picture = png(path("base.png"), std::vector<std::uint8_t>(12, 99), 2);
-  file["materials"][0] = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}};
-  file["textures"] = {{{"source", 0}}};
-  file["images"] = {{{"bufferView", 4}, {"mimeType", "image/png"}}};
-  file["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 140}, {"byteLength", picture.size()}});
-  file["buffers"][0]["byteLength"] = 140 + picture.size();
-  const std::string whole = binary_file(file, floor_bytes() + picture);
+  material() = {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}}}};
+  file_["textures"] = {{{"source", 0}}};
+  file_["images"] = {{{"bufferView", 4}, {"mimeType", "image/png"}}};
+  file_["bufferViews"].push_back({{"buffer", 0}, {"byteOffset", 140}, {"byteLength", picture.size()}});
+  file_["buffers"][0]["byteLength"] = 140 + picture.size();
+  const std::string whole = binary_file(file_, floor_bytes() + picture);
   Random random(1);
   int failed = 0;
   constexpr int kTrials = 3000;

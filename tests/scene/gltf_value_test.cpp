@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -58,8 +57,7 @@ json sound_file() {
 /// The sentence without its location, which it has to have; empty where there is none.
 std::string error_of(const json& file) {
   const TemporaryDirectory directory;
-  const std::string path = (directory.path() / "a.gltf").string();
-  std::ofstream(path) << file.dump(1);
+  const std::string path = directory.write("a.gltf", file.dump(1));
   try {
     scene::read_gltf_scene(path);
   } catch (const InputError& error) {

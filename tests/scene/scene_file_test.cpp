@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <limits>
 
 #include "command/exit_status.h"
@@ -32,10 +31,10 @@ class SceneFile : public testing::Test {
  protected:
   /// A scene of which some members are given; the rest is the least that a scene needs.
   Scene read(const std::string& members) const {
-    std::ofstream(path()) << "{\"litfog\": \"scene\", \"version\": 1,\n"
-                             " \"camera\": {\"position\": [0, 1, 5], \"target\": [0, 1, 0]},\n"
-                          << members << "}";
-    return read_scene(path());
+    return read_scene(directory_.write("scene.json",
+                                       "{\"litfog\": \"scene\", \"version\": 1,\n"
+                                       " \"camera\": {\"position\": [0, 1, 5], \"target\": [0, 1, 0]},\n" +
+                                           members + "}"));
   }
   /// The sentence without the file's name.
   std::string error_of(const std::string& members) const {
@@ -270,9 +269,7 @@ TEST_F(SceneCookieFile, OneFileIsOneCookieHoweverItIsSpelled) {
 }
 
 TEST_F(SceneCookieFile, CookiesMayHave268435456TexelsTogether) {
-  const std::string large = (directory_.path() / "large.exr").string();
-  std::ofstream(large, std::ios::binary) << format_cookie(
-      {.size = 1700, .texels = std::vector<float>(std::size_t{6} * 1700 * 1700, 1.0f)});
+  directory_.write("large.exr", format_cookie({.size = 1700, .texels = std::vector<float>(6 * 1700 * 1700, 1.0f)}));
   std::vector<std::string> files{"large.exr"};
   for (int i = 1; i < 16; ++i) write(files.emplace_back("small" + std::to_string(i) + ".exr"), 1);
   EXPECT_EQ(error_of(members(files)),
@@ -450,8 +447,8 @@ TEST_F(SceneFile, RuleAcrossParametersIsAnErrorAtTheModelsName) {
 }
 
 TEST_F(SceneFile, CameraThatLooksStraightUpIsAnError) {
-  std::ofstream(path()) << "{\"litfog\": \"scene\", \"version\": 1,\n"
-                           " \"camera\": {\"position\": [0, 1, 5], \"target\": [0, 9, 5]}, \"objects\": []}";
+  directory_.write("scene.json", R"({"litfog": "scene", "version": 1,
+    "camera": {"position": [0, 1, 5], "target": [0, 9, 5]}, "objects": []})");
   EXPECT_THROW(read_scene(path()), InputError);
 }
 
@@ -459,12 +456,12 @@ TEST_F(SceneFile, CameraThatLooksStraightUpIsAnError) {
 class SceneChanges : public SceneFile {
  protected:
   SceneChanges() {
-    std::ofstream(directory_.path() / "lamp.json")
-        << R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1, "quadratic": 0.1}})";
-    std::ofstream(path()) << R"({"litfog": "scene", "version": 1, "objects": [],
+    directory_.write("lamp.json",
+                     R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1, "quadratic": 0.1}})");
+    directory_.write("scene.json", R"({"litfog": "scene", "version": 1, "objects": [],
       "camera": {"position": [0, 1, 5], "target": [0, 1, 0]},
       "lights": [{"light": "lamp.json", "position": [0, 2, 0], "repeat": [{"count": 2, "step": [1, 0, 0]}]},
-                 {"light": "lamp.json", "position": [0, 3, 0], "color": [1, 1, 1]}]})";
+                 {"light": "lamp.json", "position": [0, 3, 0], "color": [1, 1, 1]}]})");
   }
   Scene changed(const std::vector<SceneChange>& changes) const { return read_scene(path(), {}, changes); }
   std::string error_of_change(const SceneChange& change) const {
@@ -509,17 +506,17 @@ TEST_F(SceneChanges, MembersOfTheSceneChangeInTheOrderGiven) {
 }
 
 TEST_F(SceneChanges, WordStandsForAString) {
-  std::ofstream(directory_.path() / "2.json") << R"({"litfog": "light", "version": 1, "attenuation": {"constant": 4}})";
+  directory_.write("2.json", R"({"litfog": "light", "version": 1, "attenuation": {"constant": 4}})");
   EXPECT_EQ(changed({{"lights[0].light", "./2.json"}}).lights[0].light.attenuation.constant, 4);
   EXPECT_EQ(changed({{"lights[0].light", "\"2.json\""}}).lights[0].light.attenuation.constant, 4);
   EXPECT_EQ(error_of_change({"lights[0].carried", "yes"}), "--set: lights[0].carried = \"yes\": must be true or false");
 }
 
 TEST_F(SceneChanges, PartsThatNoChangeConcernsAreKept) {
-  std::ofstream(path()) << R"({"litfog": "scene", "version": 1,
+  directory_.write("scene.json", R"({"litfog": "scene", "version": 1,
     "camera": {"position": [0, 1, 5], "target": [0, 1, 0]},
     "objects": [{"model": "box", "height_m": 2}, {"model": "spruce"}],
-    "lights": [{"light": "lamp.json", "position": [0, 2, 0], "cookie": {"pattern": "disco"}}]})";
+    "lights": [{"light": "lamp.json", "position": [0, 2, 0], "cookie": {"pattern": "disco"}}]})");
   const auto quadratic_and_box = [&](const std::string& quadratic, const std::string& height) {
     return std::vector<SceneChange>{{"lights[0].attenuation.quadratic", quadratic}, {"objects[0].height_m", height}};
   };
@@ -560,7 +557,7 @@ TEST_F(SceneChanges, WrongChangesNameTheOptionTheMemberAndTheRule) {
   for (const auto& [change, sentence] : wrong) EXPECT_EQ(error_of_change(change), sentence);
   EXPECT_TRUE(
       error_of_change({"lights[0].light", "no.json"}).starts_with("--set: lights[0].light = \"no.json\": must be"));
-  std::ofstream(directory_.path() / "lamp.json") << "{\n 7}";
+  directory_.write("lamp.json", "{\n 7}");
   const std::string sentence = error_of_change({"lights[0].threshold", "0.1"});
   EXPECT_NE(sentence.find("scene.json:3:28: lights[0].light = \"lamp.json\": must be a light file: "),
             std::string::npos)

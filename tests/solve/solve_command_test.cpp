@@ -41,6 +41,16 @@ class SolveCommand : public litfog::test::CommandTest {
     return run("--csv rows.csv");
   }
 
+  /// The rows of a run in JSON.
+  nlohmann::json rows_of(const std::string& arguments) const {
+    return nlohmann::json::parse(run(arguments + " --format json").out);
+  }
+
+  void expect_usage_error(const std::string& arguments, const std::string& reason) const {
+    SCOPED_TRACE(arguments);
+    EXPECT_ERROR(run(arguments), kUsage, "litfog-solve: " + reason + "; see litfog-solve --help\n");
+  }
+
   std::string read_solved(const std::string& rows) const {
     write("rows.csv", rows);
     run("--csv rows.csv >solved.csv");
@@ -53,10 +63,6 @@ std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream stream(text);
   for (std::string line; std::getline(stream, line);) lines.push_back(line);
   return lines;
-}
-
-std::string usage_message(const std::string& reason) {
-  return "litfog-solve: " + reason + "; see litfog-solve --help\n";
 }
 
 /// What is appended to the row exp,1,0,1,0,0.05. Inverse linear: the peak is at the knee, 1 m, where the attenuation
@@ -118,7 +124,7 @@ TEST_F(SolveCommand, InfinityIsWrittenAndRead) {
             "light,fog,density,constant,linear,quadratic,threshold,extent,peak_range,intensity,airlight,status\n"
             ",exp,inf,2,0,0,0.05,inf,0,0.5,0.5,ok\n"
             ",exp,0.1,2,0,0,0.05,inf,inf,0.5,0.5,ok\n");
-  const auto rows = nlohmann::json::parse(run("--linear 1 --visibility inf,0 --format json").out);
+  const auto rows = rows_of("--linear 1 --visibility inf,0");
   EXPECT_EQ(rows[0]["visibility_m"], "inf");
   EXPECT_EQ(rows[0]["density"], 0);
   EXPECT_EQ(rows[0]["intensity"], 0);
@@ -128,8 +134,7 @@ TEST_F(SolveCommand, InfinityIsWrittenAndRead) {
 
 TEST_F(SolveCommand, ContrastGivesVisibilityItsMeaning) {
   const auto density_of = [this](const std::string& contrast) {
-    return nlohmann::json::parse(run("--linear 1 --visibility 100 --format json " + contrast).out)[0]["density"]
-        .get<double>();
+    return rows_of("--linear 1 --visibility 100 " + contrast)[0]["density"].get<double>();
   };
   EXPECT_DOUBLE_EQ(density_of(""), -std::log(0.05) / 100);
   EXPECT_DOUBLE_EQ(density_of("--contrast mor"), -std::log(0.05) / 100);
@@ -141,7 +146,7 @@ TEST_F(SolveCommand, ContrastGivesVisibilityItsMeaning) {
 TEST_F(SolveCommand, RunwayVisualRangeGivesTheFogAndItsMeteorologicalOpticalRange) {
   const auto expect = [this](const std::string& options, FogMode mode, const RunwayLights& lights) {
     SCOPED_TRACE(options);
-    const auto rows = nlohmann::json::parse(run("--linear 1 --rvr 550,50,inf,0 --format json " + options).out);
+    const auto rows = rows_of("--linear 1 --rvr 550,50,inf,0 " + options);
     ASSERT_EQ(rows.size(), 4u);
     for (std::size_t i = 0; i < 2; ++i) {
       const Fog fog = fog_from_runway_visual_range(mode, i == 0 ? 550 : 50, lights);
@@ -162,9 +167,7 @@ TEST_F(SolveCommand, RunwayVisualRangeGivesTheFogAndItsMeteorologicalOpticalRang
 
 TEST_F(SolveCommand, SampledMethodIsHalesWith64SamplesUnlessTold) {
   const auto intensity_of = [this](const std::string& method) {
-    return nlohmann::json::parse(
-               run("--constant 1 --quadratic 0.01 --density 0.03 --format json " + method).out)[0]["intensity"]
-        .get<double>();
+    return rows_of("--constant 1 --quadratic 0.01 --density 0.03 " + method)[0]["intensity"].get<double>();
   };
   const Attenuation attenuation{1, 0, 0.01};
   const Fog fog{FogMode::exp, 0.03};
@@ -179,7 +182,7 @@ TEST_F(SolveCommand, EachLightFileIsARowSeenThroughItsOwnDensity) {
         R"({"litfog": "light", "version": 1, "name": "A", "attenuation": {"linear": 1}, "density_scale": 0.25})");
   write("b.json",
         R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1, "linear": 2}, "threshold": 0.5})");
-  const auto rows = nlohmann::json::parse(run("--light a.json b.json --density 4,2 --format json").out);
+  const auto rows = rows_of("--light a.json b.json --density 4,2");
   ASSERT_EQ(rows.size(), 4u);
   const auto expect = [](const nlohmann::json& row, const char* name, const Attenuation& attenuation, double density,
                          double threshold) {
@@ -198,16 +201,14 @@ TEST_F(SolveCommand, ThresholdOptionWinsOverTheLights) {
   write("b.json",
         R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1, "linear": 2}, "threshold": 0.5})");
   const auto extent_of = [this](const std::string& option) {
-    return nlohmann::json::parse(run("--light b.json --density 1 --format json " + option).out)[0]["extent"]
-        .get<double>();
+    return rows_of("--light b.json --density 1 " + option)[0]["extent"].get<double>();
   };
   EXPECT_EQ(extent_of(""), 0.5);
   EXPECT_EQ(extent_of("--threshold 0.25"), 1.5);
 }
 
 TEST_F(SolveCommand, ShippedLightsSolve) {
-  const Outcome outcome = expect_done("--light " LITFOG_DATA_DIR "/lights/*.json --visibility 200 --format json");
-  const auto rows = nlohmann::json::parse(outcome.out);
+  const auto rows = rows_of("--light " LITFOG_DATA_DIR "/lights/*.json --visibility 200");
   EXPECT_GE(rows.size(), 12u);
   for (const auto& row : rows) {
     EXPECT_GT(row["intensity"].get<double>(), 0) << row;
@@ -216,71 +217,68 @@ TEST_F(SolveCommand, ShippedLightsSolve) {
 }
 
 TEST_F(SolveCommand, WrongValuesAreUsageErrors) {
-  const auto expect = [this](const std::string& arguments, const std::string& reason) {
-    SCOPED_TRACE(arguments);
-    EXPECT_ERROR(run(arguments), kUsage, usage_message(reason));
-  };
   for (const std::string bad : {"-1", "nan", "0x10", "+1", "1e999", "1m", "-inf", "inf"}) {
-    expect("--density 1 --constant " + bad, "--constant = " + bad + ": must be a finite number >= 0");
+    expect_usage_error("--density 1 --constant " + bad, "--constant = " + bad + ": must be a finite number >= 0");
   }
-  expect("--density 1 --constant 1,5", "--constant = 1,5: must be a finite number >= 0");
-  expect("--density 1 --linear ''", "--linear = \"\": must be a finite number >= 0");
-  expect("--constant 1 --density 1,-2", "--density = -2: must be a number >= 0 or inf");
-  expect("--constant 1 --density 1,,2", "--density = \"\": must be a number >= 0 or inf");
-  expect("--constant 1 --density 1,", "--density = \"\": must be a number >= 0 or inf");
-  expect("--constant 1 --visibility ' 1'", "--visibility =  1: must be a number >= 0 or inf");
-  expect("--constant 1 --density 1 --threshold 1", "--threshold = 1: must be a number in (0, 1)");
-  expect("--constant 1 --density 1 --threshold 5", "--threshold = 5: must be a number in (0, 1); 5 % is 0.05");
-  expect("--constant 1 --visibility 1 --contrast 5%",
-         "--contrast = 5%: must be mor, koschmieder, flightgear or a number in (0, 1); 5 % is 0.05");
-  expect("--constant 1 --visibility 1 --contrast haze",
-         "--contrast = haze: must be mor, koschmieder, flightgear or a number in (0, 1)");
-  expect("--constant 1 --visibility 1 --contrast 0",
-         "--contrast = 0: must be mor, koschmieder, flightgear or a number in (0, 1)");
-  expect("--constant 1 --rvr 550,-1", "--rvr = -1: must be a number >= 0 or inf");
-  expect("--constant 1 --rvr 1000,1001 --lamp-cd 100 --threshold-lx 1e-4",
-         "--rvr = 1001: must be at most sqrt(candela / illuminance_threshold), where the lamps are last seen in clear "
-         "air");
-  expect("--constant 1 --rvr 550 --lamp-cd -1", "--lamp-cd = -1: must be a finite number >= 0");
-  expect("--constant 1 --rvr 550 --threshold-lx 0", "--threshold-lx = 0: must be a finite number > 0");
-  expect("--constant 1 --rvr 550 --background-cd-m2 inf", "--background-cd-m2 = inf: must be a number in [0, 1e12]");
-  expect("--constant 1 --density 1 --fog exp3", "--fog = exp3: must be one of exp|exp2; did you mean exp?");
-  expect("--constant 1 --density 1 --fog 1", "--fog = 1: must be one of exp|exp2");
-  expect("--constant 1 --density 1 --format xml", "--format = xml: must be one of table|csv|json");
-  expect("--constant 1 --density 1 --method sampled --samples 0",
-         "--samples = 0: must be an integer from 1 to 1000000000");
-  expect("--constant 1 --density 1 --method sampled --samples 1e3",
-         "--samples = 1e3: must be an integer from 1 to 1000000000");
-  expect("--constant 0 --density 1", "--constant = 0: must be > 0 where linear and quadratic are 0");
+  expect_usage_error("--density 1 --constant 1,5", "--constant = 1,5: must be a finite number >= 0");
+  expect_usage_error("--density 1 --linear ''", "--linear = \"\": must be a finite number >= 0");
+  expect_usage_error("--constant 1 --density 1,-2", "--density = -2: must be a number >= 0 or inf");
+  expect_usage_error("--constant 1 --density 1,,2", "--density = \"\": must be a number >= 0 or inf");
+  expect_usage_error("--constant 1 --density 1,", "--density = \"\": must be a number >= 0 or inf");
+  expect_usage_error("--constant 1 --visibility ' 1'", "--visibility =  1: must be a number >= 0 or inf");
+  expect_usage_error("--constant 1 --density 1 --threshold 1", "--threshold = 1: must be a number in (0, 1)");
+  expect_usage_error("--constant 1 --density 1 --threshold 5",
+                     "--threshold = 5: must be a number in (0, 1); 5 % is 0.05");
+  expect_usage_error("--constant 1 --visibility 1 --contrast 5%",
+                     "--contrast = 5%: must be mor, koschmieder, flightgear or a number in (0, 1); 5 % is 0.05");
+  expect_usage_error("--constant 1 --visibility 1 --contrast haze",
+                     "--contrast = haze: must be mor, koschmieder, flightgear or a number in (0, 1)");
+  expect_usage_error("--constant 1 --visibility 1 --contrast 0",
+                     "--contrast = 0: must be mor, koschmieder, flightgear or a number in (0, 1)");
+  expect_usage_error("--constant 1 --rvr 550,-1", "--rvr = -1: must be a number >= 0 or inf");
+  expect_usage_error(
+      "--constant 1 --rvr 1000,1001 --lamp-cd 100 --threshold-lx 1e-4",
+      "--rvr = 1001: must be at most sqrt(candela / illuminance_threshold), where the lamps are last seen in clear "
+      "air");
+  expect_usage_error("--constant 1 --rvr 550 --lamp-cd -1", "--lamp-cd = -1: must be a finite number >= 0");
+  expect_usage_error("--constant 1 --rvr 550 --threshold-lx 0", "--threshold-lx = 0: must be a finite number > 0");
+  expect_usage_error("--constant 1 --rvr 550 --background-cd-m2 inf",
+                     "--background-cd-m2 = inf: must be a number in [0, 1e12]");
+  expect_usage_error("--constant 1 --density 1 --fog exp3", "--fog = exp3: must be one of exp|exp2; did you mean exp?");
+  expect_usage_error("--constant 1 --density 1 --fog 1", "--fog = 1: must be one of exp|exp2");
+  expect_usage_error("--constant 1 --density 1 --format xml", "--format = xml: must be one of table|csv|json");
+  expect_usage_error("--constant 1 --density 1 --method sampled --samples 0",
+                     "--samples = 0: must be an integer from 1 to 1000000000");
+  expect_usage_error("--constant 1 --density 1 --method sampled --samples 1e3",
+                     "--samples = 1e3: must be an integer from 1 to 1000000000");
+  expect_usage_error("--constant 0 --density 1", "--constant = 0: must be > 0 where linear and quadratic are 0");
 }
 
 TEST_F(SolveCommand, WrongFormsAreUsageErrors) {
-  const auto expect = [this](const std::string& arguments, const std::string& reason) {
-    SCOPED_TRACE(arguments);
-    EXPECT_ERROR(run(arguments), kUsage, usage_message(reason));
-  };
-  expect("", "a light must be given: --constant, --linear, --quadratic or --light or --csv");
-  expect("--density 1", "a light must be given: --constant, --linear, --quadratic or --light or --csv");
-  expect("--constant 1", "a fog must be given: --visibility, --rvr or --density");
-  expect("--constant 1 --rvr 9 --visibility 1", "--rvr cannot be given with --visibility");
-  expect("--constant 1 --visibility 9 --lamp-cd 1", "--lamp-cd cannot be given with --visibility");
-  expect("--constant 1 --rvr 9 --density 1", "--rvr cannot be given with --density");
-  expect("--constant 1 --rvr 9 --contrast mor",
-         "--contrast cannot be given with --rvr: its visibility_m is always by mor");
-  expect("--constant 1 --rvr 9 --background-cd-m2 1 --threshold-lx 1",
-         "--background-cd-m2 cannot be given with --threshold-lx: it gives the threshold");
-  expect("--csv rows.csv --rvr 1", "--rvr cannot be given with --csv");
-  expect("--constant 1 --density 1 --visibility 1", "--visibility cannot be given with --density");
-  expect("--constant 1 --density 1 --contrast mor", "--contrast cannot be given with --density");
-  expect("--constant 1 --light a.json --density 1", "--constant cannot be given with --light");
-  expect("--constant 1 --density 1 --samples 9", "--samples cannot be given with --method exact: it takes none");
-  expect("--csv rows.csv --format json", "--format cannot be given with --csv");
-  expect("--csv rows.csv --density 1", "--density cannot be given with --csv");
-  expect("--constant 1 --density 1 --colour red", "--colour: must be an option of this command");
-  expect("--constant 1 --density 1 surplus", "The following argument was not expected: surplus");
-  expect("--constant 1 --density 1 --density 2", "--density: At Most 1 required but received 2");
-  expect("--constant 1 --dens 1", "--dens: must be an option of this command; did you mean --density?");
-  expect("--constant 1 --density 1 --format jsn", "--format = jsn: must be one of table|csv|json; did you mean json?");
+  expect_usage_error("", "a light must be given: --constant, --linear, --quadratic or --light or --csv");
+  expect_usage_error("--density 1", "a light must be given: --constant, --linear, --quadratic or --light or --csv");
+  expect_usage_error("--constant 1", "a fog must be given: --visibility, --rvr or --density");
+  expect_usage_error("--constant 1 --rvr 9 --visibility 1", "--rvr cannot be given with --visibility");
+  expect_usage_error("--constant 1 --visibility 9 --lamp-cd 1", "--lamp-cd cannot be given with --visibility");
+  expect_usage_error("--constant 1 --rvr 9 --density 1", "--rvr cannot be given with --density");
+  expect_usage_error("--constant 1 --rvr 9 --contrast mor",
+                     "--contrast cannot be given with --rvr: its visibility_m is always by mor");
+  expect_usage_error("--constant 1 --rvr 9 --background-cd-m2 1 --threshold-lx 1",
+                     "--background-cd-m2 cannot be given with --threshold-lx: it gives the threshold");
+  expect_usage_error("--csv rows.csv --rvr 1", "--rvr cannot be given with --csv");
+  expect_usage_error("--constant 1 --density 1 --visibility 1", "--visibility cannot be given with --density");
+  expect_usage_error("--constant 1 --density 1 --contrast mor", "--contrast cannot be given with --density");
+  expect_usage_error("--constant 1 --light a.json --density 1", "--constant cannot be given with --light");
+  expect_usage_error("--constant 1 --density 1 --samples 9",
+                     "--samples cannot be given with --method exact: it takes none");
+  expect_usage_error("--csv rows.csv --format json", "--format cannot be given with --csv");
+  expect_usage_error("--csv rows.csv --density 1", "--density cannot be given with --csv");
+  expect_usage_error("--constant 1 --density 1 --colour red", "--colour: must be an option of this command");
+  expect_usage_error("--constant 1 --density 1 surplus", "The following argument was not expected: surplus");
+  expect_usage_error("--constant 1 --density 1 --density 2", "--density: At Most 1 required but received 2");
+  expect_usage_error("--constant 1 --dens 1", "--dens: must be an option of this command; did you mean --density?");
+  expect_usage_error("--constant 1 --density 1 --format jsn",
+                     "--format = jsn: must be one of table|csv|json; did you mean json?");
 }
 
 TEST_F(SolveCommand, WrongLightFilesAreBadInputAndNothingIsPrinted) {

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/light/point_list.h"
 
-#include <algorithm>
-#include <cmath>
-
 #include "litfog/attenuation.h"
 #include "litfog/color_temperature.h"
 #include "litfog/cone.h"

@@ -14,7 +14,6 @@
 #include "render/airlight/airlight_bound.h"
 #include "render/light/hidden_range.h"
 #include "render/plan/fog_top.h"
-#include "render/plan/view.h"
 #include "render/surface/shader_variant.h"
 
 namespace litfog::render {

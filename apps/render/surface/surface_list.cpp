@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/surface/surface_list.h"
 
-#include <algorithm>
 #include <map>
 #include <numeric>
 #include <stdexcept>

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <vector>
 
 #include "render/gpu/light_uniforms.h"
 #include "render/gpu/texture_unit.h"

@@ -8,7 +8,6 @@
 #include <climits>
 #include <filesystem>
 #include <glm/gtc/matrix_transform.hpp>
-#include <map>
 #include <numbers>
 #include <random>
 #include <set>
