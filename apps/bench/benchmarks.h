@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,7 @@ struct Result {
   command::Table table;
   command::Figure figure;             ///< no charts for a benchmark that draws none
   std::string gl_renderer = "none";   ///< GL_RENDERER
-  std::string strip = {};             ///< the bytes of a PNG file; empty for a benchmark that draws none by itself
+  std::function<std::string()> strip = {};  ///< draws the bytes of a PNG file; empty for a benchmark without
   std::vector<std::string> failures;  ///< sentences: where litfog exceeded its own stated error
 };
 
@@ -108,8 +109,9 @@ Result draw_glow(bool quick);
 std::string draw_glow_strip(bool quick);
 
 /// Four views of scenes with fog lit by single scattering and by all orders, beside the true pictures: single
-/// scattering, and traced paths for the rest (measure::trace_higher_orders), all with shafts of shadow. The strip has
-/// a row of the three for each view, by the automatic exposure of the last. Columns:
+/// scattering, and traced paths for the rest (measure::trace_higher_orders). Single scattering has shafts of shadow of
+/// 32 lamps, which are all in `street` and `room`; the traced paths know the shadows of all. The strip has a row of the
+/// three for each view, by the automatic exposure of the last. Columns:
 ///
 /// scene, visibility_m
 /// fog_light             single or all

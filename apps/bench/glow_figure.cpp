@@ -170,6 +170,9 @@ Result draw_glow(bool quick) {
     chart.series.insert(chart.series.end(), bars.begin(), bars.end());
     result.figure.charts.push_back(std::move(chart));
   }
+#ifdef LITFOG_HAS_GL
+  result.strip = [quick] { return draw_glow_strip(quick); };
+#endif
   return result;
 }
 

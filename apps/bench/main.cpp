@@ -61,8 +61,8 @@ steps (Wrenninge et al. 2013, as in engines); a random walk of 65,536 paths (wal
 Errors are against the discretised equation of transfer (reference). --strip draws one lamp at six visibilities.
 
 traced: no times; four views of scenes, lit by single scattering and by all orders. The truth is single scattering plus
-128 random paths a pixel, which fog scatters and surfaces reflect and block (walk_scattering); shadows are shafts. The
-ratios are quantiles of the luminance over the true one, in squares of 4 x 4 pixels. --strip draws all views.
+128 random paths a pixel, which fog scatters and surfaces reflect and block (walk_scattering); shadows are shafts of 32 lamps.
+The ratios are quantiles of the luminance over the true one, in squares of 4 x 4 pixels. --strip draws all views.
 
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, with a million lights of 200 kinds, all carried and on.
 updater-layers: the same in a layer of droplets, with what all orders of scattering need for each kind.
@@ -153,8 +153,8 @@ const std::vector<Benchmark> kBenchmarks{
     {"scattering", "table of a point lamp's light that fog scatters twice or more", tabulate_scattering},
     {"glow", "the glow around a point lamp over angle: scattered once, all orders, and by a random walk", draw_glow,
      false, true, true},
-    {"traced", "scenes lit by single scattering and by all orders, beside traced paths", draw<trace_scenes>, false, false,
-     true},
+    {"traced", "scenes lit by single scattering and by all orders, beside traced paths", draw<trace_scenes>, false,
+     false, true},
     {"update", "time to follow a visibility step by step over a million lights", measure_update, true},
     {"load", "an hour of changing weather and lights, a million lights: steps and memory", measure_load, true},
     {"fit", "time and quality of fits of an attenuation to a falloff table", fit},
@@ -250,7 +250,7 @@ ExitStatus run(const Options& options) {
   if (options.json_file) litfog::files::write_whole_file(*options.json_file, json_of(result));
   if (figure_format) litfog::files::write_whole_file(*options.plot_file, draw_figure(result.figure, *figure_format));
 #ifdef LITFOG_HAS_GL
-  if (options.strip_file) litfog::files::write_whole_file(*options.strip_file, result.strip.empty() ? draw_glow_strip(options.quick) : result.strip);
+  if (options.strip_file) litfog::files::write_whole_file(*options.strip_file, result.strip());
 #endif
   for (const std::string& failure : result.failures) fmt::print(stderr, "litfog-bench: {}\n", failure);
   return result.failures.empty() ? kDone : kNotToTolerance;
@@ -276,8 +276,8 @@ int main(int argc, char** argv) {
                  "Draw time against error (solve, airlight), over visibility (lamps), angle (glow) or lights (render)")
       ->type_name("FILE.png|FILE.svg");
   app.add_option("--strip", options.strip_file,
-                 "Draw pictures scattered once, in all orders and by the reference: one lamp at six visibilities (glow), or "
-                 "scenes (traced)")
+                 "Draw pictures scattered once, in all orders and by the reference: one lamp at six "
+                 "visibilities (glow), or scenes (traced)")
       ->type_name("FILE.png");
   app.add_option("--isa", options.isa,
                  "Batches and cluster lists use no wider SIMD target than this, by Highway's names: AVX3, AVX2, SSE4")

@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-
 #include <cmath>
 #include <memory>
 #include <span>
@@ -45,8 +44,8 @@ std::vector<double> blocks_of(const render::Picture& picture) {
   return blocks;
 }
 
-render::Picture sum_of(render::Picture a, const render::Picture& b, float share = 1) {
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) a.rgb[i] += share * b.rgb[i];
+render::Picture sum_of(render::Picture a, const render::Picture& b, float factor = 1) {
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) a.rgb[i] += factor * b.rgb[i];
   return a;
 }
 
@@ -61,7 +60,7 @@ std::vector<drawing::SheetEntry> measure(const View& view, bool quick, const mea
                                                                   .scattering = scattering,
                                                                   .samples = 1,
                                                                   .shadows = render::Shadows::shafts,
-                                                                  .shadow_lamps = 16});
+                                                                  .shadow_lamps = 32});
     renderer->set_atmosphere(scene.atmosphere.with(Fog::from_visibility(FogMode::exp, view.visibility)));
     return renderer;
   };
@@ -72,7 +71,7 @@ std::vector<drawing::SheetEntry> measure(const View& view, bool quick, const mea
   const auto of_all = renderer_of(render::Scattering::all);
   const render::Picture all = drawn_by(*of_all), single = drawn_by(*renderer_of(render::Scattering::single));
   render::Picture halves[2];
-  for (std::uint64_t seed = 1; seed <= 2; ++seed) {
+  for (std::uint32_t seed = 1; seed <= 2; ++seed) {
     halves[seed - 1] =
         sum_of(single, measure::trace_higher_orders(*of_all, {.paths = quick ? 8 : 64, .seed = seed}, progress));
   }
@@ -113,7 +112,7 @@ Result trace_scenes(bool quick) {
         [&](std::string_view step) { shown.show(fmt::format("{} at {} m: {}", view.scene, view.visibility, step)); },
         result));
   }
-  result.strip = drawing::png_text(drawing::make_contact_sheet(sheet));
+  result.strip = [sheet = std::move(sheet)] { return drawing::png_text(drawing::make_contact_sheet(sheet)); };
   return result;
 }
 

@@ -25,7 +25,7 @@ void draw_gallery(const std::vector<std::string>& scenes, bool are_all, const st
 /// A scene's lights: a row for each entry of its file's "lights", for each kind of a generated city's lights, and for
 /// each light of a glTF file. Columns:
 ///
-/// member                        as --set takes it: lights[3]; city; empty for a glTF file
+/// member                        as --set takes it: lights[3]; city.window
 /// lights                        number of lights in the row
 /// name                          the light's
 /// x_m, y_m, z_m                 position of the first copy

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <numbers>
@@ -246,13 +247,17 @@ class ScatteringPaths::Walk {
     plain_orders_ = (8 + transport_depth * transport_depth) * transport;
   }
 
+  /// What is scattered once.
+  void add_first(const EyeRay& ray, Random& random, Sums& sums) const {
+    const Leg eye_leg = leg_from(ray.origin, ray.direction, ray.length);
+    if (!(eye_leg.first < eye_leg.last)) return;
+    double density = 0;
+    const double place = draw_on(eye_leg, random, density);
+    sums.first += source(eye_leg, place) / density;
+  }
+
   void add_path(const EyeRay& ray, Random& random, Sums& sums) const {
     const Leg eye_leg = leg_from(ray.origin, ray.direction, ray.length);
-    if (eye_leg.first < eye_leg.last) {
-      double density = 0;
-      const double place = draw_on(eye_leg, random, density);
-      sums.first += source(eye_leg, place) / density;
-    }
     double weight = 0;
     const double length = draw_first_vertex(eye_leg, random, weight);
     if (!(weight > 0)) return;
@@ -283,6 +288,7 @@ class ScatteringPaths::Walk {
         const double depth = -std::log(random.unit());
         if (depth >= total) {
           if (!hit) return;
+          assert(hit->albedo >= 0 && hit->albedo <= 1);
           vertex = {.position = vertex.position + direction * hit->distance,
                     .direction = hit->normal,
                     .albedo = hit->albedo,
@@ -307,8 +313,8 @@ class ScatteringPaths::Walk {
   std::optional<Surroundings::Hit> hit_from(const Vector& origin, const Vector& direction) const {
     return surroundings_ ? surroundings_->nearest(origin, direction) : std::nullopt;
   }
-  bool is_hidden(const Vector& position) const {
-    return surroundings_ && surroundings_->is_hidden(position_, position);
+  bool is_hidden(const Vector& position, bool is_on_surface) const {
+    return surroundings_ && surroundings_->is_hidden(position_, position, is_on_surface);
   }
 
   /// A leg up to the first surface.
@@ -404,7 +410,7 @@ class ScatteringPaths::Walk {
       value *= cone_at(
           cone_, std::clamp(glm::dot(axis_, leg.nearest * leg.offset + leg.direction * place) / range, -1.0, 1.0));
     }
-    if (value == 0 || is_hidden(leg.origin + leg.direction * from_origin)) return 0;
+    if (value == 0 || is_hidden(leg.origin + leg.direction * from_origin, false)) return 0;
     const double versine = place < 0 ? leg.offset * leg.offset / (range * (range - place)) : 1 + place / range;
     const double height = leg.origin.y + leg.direction.y * from_origin;
     const double depth = air_.depth(leg.origin.y, height, from_origin) + air_.depth(height, position_.y, range);
@@ -575,7 +581,7 @@ class ScatteringPaths::Walk {
     const Vector from_lamp = vertex.position - position_;
     const double range = glm::length(from_lamp);
     const double cosine = -glm::dot(from_lamp, vertex.direction) / range;
-    if (!(cosine > 0) || is_hidden(vertex.position)) return 0;
+    if (!(cosine > 0) || is_hidden(vertex.position, true)) return 0;
     return 4 / albedo_ * cosine * attenuation(range) *
            cone_at(cone_, std::clamp(glm::dot(axis_, from_lamp) / range, -1.0, 1.0)) *
            std::exp(-air_.depth(vertex.position.y, position_.y, range));
@@ -652,7 +658,10 @@ ScatteredLight walk_scattering(const PlacedLight& light, const Atmosphere& atmos
       [&](std::size_t batch) {
         Random random(walk.seed, batch);
         Sums sums;
-        for (std::uint64_t i = 0; i < paths; ++i) steps.walk_->add_path(ray, random, sums);
+        for (std::uint64_t i = 0; i < paths; ++i) {
+          steps.walk_->add_first(ray, random, sums);
+          steps.walk_->add_path(ray, random, sums);
+        }
         batches[batch] = sums;
       },
       walk.threads);

@@ -25,7 +25,7 @@ struct ScatteredLight {
   Estimate higher;  ///< twice or more often: M, which airlight() lacks
 };
 
-/// Opaque surfaces that end rays, hide lamps and reflect light: Lambertian, and as seen from either side.
+/// Opaque surfaces that end rays, hide lamps and reflect light. They are Lambertian on both sides.
 class Surroundings {
  public:
   struct Hit {
@@ -39,15 +39,16 @@ class Surroundings {
   ///
   /// direction  unit
   virtual std::optional<Hit> nearest(const glm::dvec3& origin, const glm::dvec3& direction) const = 0;
-  /// Whether a surface is between a lamp and a position that may itself be on a surface.
-  virtual bool is_hidden(const glm::dvec3& lamp, const glm::dvec3& position) const = 0;
+  /// Whether a surface is between a lamp and a position in the fog, or on a surface.
+  virtual bool is_hidden(const glm::dvec3& lamp, const glm::dvec3& position, bool is_on_surface) const = 0;
 };
 
 struct ScatteringWalk {
   std::uint64_t paths = 1 << 16;  ///< rounded up to a multiple of kScatteringBatches
   std::uint64_t seed = 1;
-  std::size_t threads = 0;                     ///< 0: all cores; does not change the result
-  const Surroundings* surroundings = nullptr;  ///< the caller ends the ray there; a reflection counts as a scattering
+  std::size_t threads = 0;  ///< 0: all cores; does not change the result
+  /// Where the caller has ended the ray. A reflection counts as a scattering. Null: none.
+  const Surroundings* surroundings = nullptr;
 };
 
 /// Independent batches of paths. Their spread gives the standard error.
@@ -76,18 +77,19 @@ ScatteredLight walk_scattering(const PlacedLight& light, const Atmosphere& atmos
 /// The paths of walk_scattering() one by one, for pictures.
 class ScatteringPaths {
  public:
-  /// surroundings  null: none
-  /// throws        like walk_scattering
+  /// surroundings  must outlive this object; null: none
+  /// throws        std::invalid_argument naming field, value and rule
   ScatteringPaths(const PlacedLight& light, const Atmosphere& atmosphere, const glm::dvec3& eye,
                   const Surroundings* surroundings = nullptr);
   ~ScatteringPaths();
   ScatteringPaths(ScatteringPaths&&) noexcept;
   ScatteringPaths& operator=(ScatteringPaths&&) noexcept;
 
-  /// An unbiased sample of M along a ray from the eye. A ray that ends at a surface has that length.
+  /// An unbiased sample of M in the unit of airlight(), along a ray from the eye that has no find_error() and ends where
+  /// the caller sees a surface. Each path of a seed is another sample.
   double scattered(const EyeRay& ray, std::uint64_t seed, std::uint64_t path) const;
   /// An unbiased sample of the radiance of a white surface lit by light that was scattered or reflected elsewhere, in
-  /// the unit of airlight().
+  /// the same unit.
   ///
   /// normal  unit
   double reflected(const glm::dvec3& position, const glm::dvec3& normal, std::uint64_t seed, std::uint64_t path) const;

@@ -20,22 +20,31 @@
 #include "model/parallel.h"
 #include "render/gpu/geometry_buffer.h"
 #include "render/shadow/shadow_caster.h"
+#include "scene/hash_random.h"
 #include "scene/srgb.h"
 
 namespace litfog::measure {
 namespace {
 
-/// A material's reflectance, averaged over its picture, as luminance.
+/// The mean of a picture's linear colours, weighted by coverage if it is a mask.
+glm::dvec3 mean_color(const scene::Texels& texels, bool is_mask) {
+  glm::dvec3 sum(0.0);
+  double weights = 0;
+  for (std::size_t i = 0; i + 3 < texels.rgba.size(); i += 4) {
+    const auto linear = [&](std::size_t k) { return double(scene::linear_from_srgb(float(texels.rgba[i + k]) / 255)); };
+    const double weight = is_mask ? texels.rgba[i + 3] / 255.0 : 1;
+    sum += weight * glm::dvec3(linear(0), linear(1), linear(2));
+    weights += weight;
+  }
+  return weights > 0 ? sum / weights : sum;
+}
+
+/// A material's reflectance, averaged over its pictures, as luminance.
 double mean_albedo(const scene::Material& material) {
   if (material.is_unlit) return 0;
-  if (material.plain_albedo) return luminance(glm::dvec3(*material.plain_albedo));
-  const std::vector<std::uint8_t>& rgba = material.albedo->rgba;
-  glm::dvec3 sum(0.0);
-  for (std::size_t i = 0; i + 3 < rgba.size(); i += 4) {
-    const auto linear = [&](std::size_t k) { return double(scene::linear_from_srgb(float(rgba[i + k]) / 255)); };
-    sum += glm::dvec3(linear(0), linear(1), linear(2));
-  }
-  return luminance(sum) / double(std::max<std::size_t>(rgba.size() / 4, 1));
+  const glm::dvec3 base = material.plain_albedo ? glm::dvec3(*material.plain_albedo)
+                                                : mean_color(*material.albedo, material.least_coverage.has_value());
+  return luminance(material.second ? base * mean_color(*material.second, false) : base);
 }
 
 class SceneSurfaces : public Surroundings {
@@ -51,11 +60,11 @@ class SceneSurfaces : public Surroundings {
     const double side = glm::dot(hit->normal, direction) < 0 ? 1 : -1;
     return Hit{hit->distance, side * hit->normal, albedos_[hit->material]};
   }
-  bool is_hidden(const glm::dvec3& lamp, const glm::dvec3& position) const override {
-    const glm::dvec3 way = position - lamp;
-    const double range = glm::length(way);
-    if (range < render::kLampRadius) return true;  // inside its housing
-    return triangles_.is_met(lamp, way / range, render::kLampRadius, range - kOffSurface * (1 + range));
+  bool is_hidden(const glm::dvec3& lamp, const glm::dvec3& position, bool is_on_surface) const override {
+    const glm::dvec3 from_lamp = position - lamp;
+    const double range = glm::length(from_lamp);
+    if (range < render::kLampRadius) return is_on_surface;  // its housing
+    return triangles_.is_met(lamp, from_lamp / range, render::kLampRadius, range - kOffSurface * (1 + range));
   }
 
  private:
@@ -64,14 +73,14 @@ class SceneSurfaces : public Surroundings {
   std::vector<double> albedos_;  // by material
 };
 
-/// Where a pixel's paths may begin, and to which lamp they lead.
-struct Way {
+/// Where paths may begin, and to which lamp they lead.
+struct PathKind {
   std::size_t lamp;
   bool is_reflected;  // begins on the surface that the eye sees, not in the fog
   double expected;    // luminance
 };
 
-constexpr double kEvenShare = 0.1;  // of paths drawn evenly from all ways, for where formulas expect far too little
+constexpr double kEvenFraction = 0.1;  // of paths drawn evenly from all kinds: formulas may expect far too little
 
 class Tracer {
  public:
@@ -99,33 +108,36 @@ class Tracer {
     }
     const double unit = airlight_unit(model_.atmosphere());
     const double seen = point ? 1 - model_.opacity_before(point->position) : 0;
-    const std::vector<Way> ways = expected_ways(ray, point, seen, unit);
+    const std::vector<PathKind> kinds = expected_kinds(ray, point, seen, unit);
     glm::dvec3 light(0.0);
     double all = 0, before = 0;
-    for (const Way& way : ways) all += way.expected;
+    for (const PathKind& kind : kinds) all += kind.expected;
+    // Systematic sampling: equal steps through the kinds' expectations, from a random offset on.
+    const double offset =
+        double(scene::HashRandom(scene::hash(std::uint32_t(first), std::uint32_t(first >> 32), tracing_.seed)).unit());
     int path = 0;
-    for (const Way& way : ways) {
-      before += way.expected;
-      for (; path < count && (path + 0.5) * all < before * count; ++path) {
+    for (const PathKind& kind : kinds) {
+      before += kind.expected;
+      for (; path < count && (path + offset) * all < before * count; ++path) {
         const std::uint64_t number = first + std::uint64_t(path);
-        const glm::dvec3 scale = unit * all / (way.expected * count) * model_.lights()[way.lamp].placed.light.color;
-        light += way.is_reflected
+        const glm::dvec3 scale = unit * all / (kind.expected * count) * model_.lights()[kind.lamp].placed.light.color;
+        light += kind.is_reflected
                      ? scale * seen * point->diffuse *
-                           walks_[way.lamp].reflected(point->position, point->normal, tracing_.seed, number)
-                     : scale * walks_[way.lamp].scattered(ray, tracing_.seed, number);
+                           walks_[kind.lamp].reflected(point->position, point->normal, tracing_.seed, number)
+                     : scale * walks_[kind.lamp].scattered(ray, tracing_.seed, number);
       }
     }
     return light;
   }
 
  private:
-  std::vector<Way> expected_ways(const EyeRay& ray, const std::optional<SurfacePoint>& point, double seen,
-                                 double unit) const {
-    std::vector<Way> ways;
+  std::vector<PathKind> expected_kinds(const EyeRay& ray, const std::optional<SurfacePoint>& point, double seen,
+                                       double unit) const {
+    std::vector<PathKind> kinds;
     double sum = 0;
     const auto add = [&](std::size_t lamp, bool is_reflected, double light) {
-      ways.push_back({lamp, is_reflected, light * luminance(model_.lights()[lamp].placed.light.color)});
-      sum += ways.back().expected;
+      kinds.push_back({lamp, is_reflected, light * luminance(model_.lights()[lamp].placed.light.color)});
+      sum += kinds.back().expected;
     };
     for (std::size_t i = 0; i < walks_.size(); ++i) {
       const ReferenceLight& lamp = model_.lights()[i];
@@ -135,10 +147,10 @@ class Tracer {
       add(i, true, seen * luminance(point->diffuse) * irradiance(falling, point->normal));
     }
     if (!(sum > 0)) return {};
-    for (Way& way : ways) {
-      way.expected = std::lerp(way.expected, sum / double(ways.size()), kEvenShare);
+    for (PathKind& kind : kinds) {
+      kind.expected = std::lerp(kind.expected, sum / double(kinds.size()), kEvenFraction);
     }
-    return ways;
+    return kinds;
   }
 
   PathModel model_;
@@ -154,6 +166,10 @@ class Tracer {
 render::Picture trace_higher_orders(render::Renderer& renderer, const Tracing& tracing, const Progress& progress) {
   if (tracing.paths < 1) throw std::invalid_argument(fmt::format("paths = {}: must be at least 1", tracing.paths));
   if (!renderer.scene().cookie_uses.empty()) throw std::invalid_argument("scene: must have no lamps with cookies");
+  const render::RenderSettings& settings = renderer.settings();
+  if (settings.fog_lighting != render::FogLighting::airlight || settings.scattering != render::Scattering::all) {
+    throw std::invalid_argument("settings: must light fog by airlight, in all orders of scattering");
+  }
   const Tracer tracer(renderer, tracing);
   const int width = renderer.width(), height = renderer.height();
   const render::GeometryBuffer geometry(width, height, renderer.samples());

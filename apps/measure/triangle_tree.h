@@ -22,8 +22,8 @@ class TriangleTree {
   explicit TriangleTree(const scene::Scene& scene, const glm::dvec3& origin = glm::dvec3(0));
 
   struct Hit {
-    double distance;    ///< metres along the ray
-    glm::dvec3 normal;  ///< the triangle's, on either side; unit
+    double distance;       ///< metres along the ray
+    glm::dvec3 normal;     ///< the triangle's, on either side; unit
     std::size_t material;  ///< index in the scene's; past its end if the scene has none of that name
   };
   /// The nearest triangle that a ray meets between two distances.

@@ -451,7 +451,8 @@ struct Options {
 ExitStatus show(const CLI::App& app, Options& options) {
   if (app.count("SCENE") == 0) throw CLI::ValidationError("a scene must be given: see litfog-demo list scenes");
   check_options(app, drawing::drawing_rules(options.drawing));
-  auto reading = std::async([&options] { return drawing::read_scene(options.scene); });
+  Window::prepare();
+  auto reading = std::async(std::launch::async, [&options] { return drawing::read_scene(options.scene); });
   std::optional<Window> window;  // opened while the scene is read, because each takes tenths of a second
   std::exception_ptr no_window;
   try {

@@ -60,7 +60,7 @@ class Session {
   std::size_t copies(std::size_t light) const;
   /// The first light of each member that has not been removed.
   const std::vector<std::size_t>& firsts() const { return lamps_->firsts; }
-  /// Whether two lights are one, or copies of each other.
+  /// Whether two lights are one, or copies of each other. Neither may have been removed.
   bool are_copies(std::size_t a, std::size_t b) const { return lamps_->entries[a] == lamps_->entries[b]; }
   /// Replaces a light and its copies. The copies keep their names, and move with it. A city's light moves alone: it
   /// becomes an added light, which is picked if it was.

@@ -102,6 +102,8 @@ void set_style(float scale) {
 
 }  // namespace
 
+void Window::prepare() { glfwInit(); }
+
 Window::Window(const std::string& title, int width, int height, bool is_size_kept) {
   if (!glfwInit()) fail("a window needs a display");
   glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);

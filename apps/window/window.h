@@ -13,6 +13,8 @@ namespace litfog::window {
 /// time. Hidden until show().
 class Window {
  public:
+  /// Sets what GLFW takes from the environment, as the locale. Must be called before other threads start.
+  static void prepare();
   /// width, height  in the display's units; limited to the display's size
   /// is_size_kept   whether the size that the last window had at its end is taken instead, if there was one
   /// throws         command::MissingCapability if there is no display or no OpenGL 3.3 on it

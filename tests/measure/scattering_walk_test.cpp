@@ -49,7 +49,7 @@ struct Ground : measure::Surroundings {
     if (!(direction.y < 0)) return std::nullopt;
     return Hit{std::max(0.0, (height - origin.y) / direction.y), {0, 1, 0}, albedo};
   }
-  bool is_hidden(const glm::dvec3&, const glm::dvec3&) const override { return false; }
+  bool is_hidden(const glm::dvec3&, const glm::dvec3&, bool) const override { return false; }
 };
 
 template <typename Function>

@@ -24,15 +24,14 @@ scene::Scene wall_ahead(float reflectance, double distance = kWall) {
   scene::Scene scene;
   scene.camera = {.position = {0, 0, 0}, .target = {0, 0, -1}, .field_of_view = 0.8f};
   scene.atmosphere.phase = {};
-  scene.materials.push_back(
-      {.name = "wall",
-       .size_m = 1,
-       .albedo = std::make_shared<const scene::Texels>(scene::Texels{1, 1, {255, 255, 255, 255}}),
-       .normal = std::make_shared<const scene::Texels>(scene::Texels{1, 1, {128, 128, 255, 0}}),
-       .specular = glm::vec3(0),
-       .shininess = 1,
-       .emissive = glm::vec3(0),
-       .plain_albedo = glm::vec3(reflectance)});
+  scene.materials.push_back({.name = "wall",
+                             .size_m = 1,
+                             .albedo = std::make_shared<const scene::Texels>(scene::Texels{1, 1, {255, 255, 255, 255}}),
+                             .normal = std::make_shared<const scene::Texels>(scene::Texels{1, 1, {128, 128, 255, 0}}),
+                             .specular = glm::vec3(0),
+                             .shininess = 1,
+                             .emissive = glm::vec3(0),
+                             .plain_albedo = glm::vec3(reflectance)});
   scene::Mesh mesh;
   for (const glm::vec2 corner : {glm::vec2(-1, -1), glm::vec2(1, -1), glm::vec2(1, 1), glm::vec2(-1, 1)}) {
     mesh.vertices.push_back({{1000 * corner.x, 1000 * corner.y, -distance}, {0, 0, 1}, {1, 0, 0, 1}, corner});
@@ -41,7 +40,7 @@ scene::Scene wall_ahead(float reflectance, double distance = kWall) {
   scene.models.push_back({scene::Part{"wall", mesh}});
   scene.instances.push_back({0, glm::mat4(1)});
   PlacedLight lamp;
-  lamp.light = {.name = "lamp", .color = {3, 2, 1}, .attenuation = {1, 0, 1}, .threshold = 1e-6};
+  lamp.light = {.name = "lamp", .color = {3, 2, 1}, .attenuation = {1, 0, 1}, .threshold = 1e-6, .cone = {}};
   lamp.position = {2, 1, -6};
   scene.lights.push_back(lamp);
   return scene;
@@ -60,8 +59,8 @@ Light higher_orders_of(const scene::Scene& scene, double visibility, int paths) 
   double drawn[2];
   Light light{};
   for (const render::Scattering scattering : {render::Scattering::single, render::Scattering::all}) {
-    render::Renderer renderer(
-        scene, 8, 6, {.fog_lighting = render::FogLighting::airlight, .scattering = scattering, .samples = 1});
+    render::Renderer renderer(scene, 8, 6,
+                              {.fog_lighting = render::FogLighting::airlight, .scattering = scattering, .samples = 1});
     renderer.set_atmosphere(scene.atmosphere.with(Fog::from_visibility(FogMode::exp, visibility)));
     renderer.set_exposure({.ev = render::kMaxExposure});  // nothing is too dim to be drawn
     renderer.draw(render::LightPoints::off);
@@ -75,9 +74,33 @@ Light higher_orders_of(const scene::Scene& scene, double visibility, int paths) 
 }
 
 TEST_F(TracedPicture, InOpenFogIsThatOfTheFormulas) {
-  const auto [traced, formulas] = higher_orders_of(wall_ahead(0, 500), 8, 512);
+  const auto [traced, formulas] = higher_orders_of(wall_ahead(0, 500), 8, 2048);
   fmt::print("traced {:.4g}, by formulas {:.4g}\n", traced, formulas);
   EXPECT_NEAR(traced / formulas, 1, 0.05);
+}
+
+// With fewer paths than kinds of them, each seed misses most kinds; their mean misses none.
+TEST_F(TracedPicture, FewPathsToManyLampsHaveTheMeanOfMany) {
+  scene::Scene scene = wall_ahead(0.5f);
+  const PlacedLight lamp = scene.lights[0];
+  for (int i = 1; i < 40; ++i) {
+    PlacedLight other = lamp;
+    other.position += glm::dvec3(0.3 * i, 0.1 * (i % 7), -0.2 * i);
+    other.light.color *= 0.1 + 0.02 * (i % 10);
+    scene.lights.push_back(other);
+  }
+  render::Renderer renderer(
+      scene, 4, 3,
+      {.fog_lighting = render::FogLighting::airlight, .scattering = render::Scattering::all, .samples = 1});
+  renderer.set_atmosphere(scene.atmosphere.with(Fog::from_visibility(FogMode::exp, 20)));
+  constexpr int kSeeds = 200;
+  double few = 0;
+  for (std::uint32_t seed = 1; seed <= kSeeds; ++seed) {
+    few += mean_light(measure::trace_higher_orders(renderer, {.paths = 8, .seed = seed})) / kSeeds;
+  }
+  const double many = mean_light(measure::trace_higher_orders(renderer, {.paths = 8 * kSeeds}));
+  fmt::print("few paths {:.4g}, many {:.4g}\n", few, many);
+  EXPECT_NEAR(few / many, 1, 0.03);
 }
 
 /// Light that a white wall sends into thin fog of a density and that is scattered to the eye along a ray, by quadrature
@@ -144,15 +167,16 @@ TEST_F(TracedPicture, WallLightsThinFogBeforeIt) {
     }
   }
   const double truth = 2 * double(kGrey) * (fog + wall);  // 2 is the mean of the lamp's colour
-  fmt::print("traced {:.4g}, by quadrature {:.4g}, of which the wall lights {:.4g}\n", traced, truth, 2 * double(kGrey) * fog);
+  fmt::print("traced {:.4g}, by quadrature {:.4g}, of which the wall lights {:.4g}\n", traced, truth,
+             2 * double(kGrey) * fog);
   EXPECT_NEAR(traced / truth, 1, 0.05);
   EXPECT_LT(higher_orders_of(wall_ahead(0), visibility, 512).traced, 0.1 * traced);
 }
 
 TEST_F(TracedPicture, RefusesWhatItDoesNotFollow) {
-  const auto message_of = [](const scene::Scene& scene, const measure::Tracing& tracing) {
-    render::Renderer renderer(scene, 4, 4,
-                              {.fog_lighting = render::FogLighting::airlight, .scattering = render::Scattering::all});
+  const auto message_of = [](const scene::Scene& scene, const measure::Tracing& tracing,
+                             render::Scattering scattering = render::Scattering::all) {
+    render::Renderer renderer(scene, 4, 4, {.fog_lighting = render::FogLighting::airlight, .scattering = scattering});
     try {
       measure::trace_higher_orders(renderer, tracing);
     } catch (const std::invalid_argument& error) {
@@ -161,6 +185,8 @@ TEST_F(TracedPicture, RefusesWhatItDoesNotFollow) {
     return std::string();
   };
   EXPECT_EQ(message_of(wall_ahead(0), {.paths = 0}), "paths = 0: must be at least 1");
+  EXPECT_EQ(message_of(wall_ahead(0), {}, render::Scattering::single),
+            "settings: must light fog by airlight, in all orders of scattering");
   EXPECT_EQ(message_of(scene::read_scene(scene::bundled_scene_path("cookies")), {}),
             "scene: must have no lamps with cookies");
 }

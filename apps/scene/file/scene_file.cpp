@@ -409,7 +409,7 @@ class SceneReader {
   void read_light_entry(const JsonValue& value) {
     value.allow_only(kLightEntryMembers);
     PlacedLight light{.light = read_kind(value.member("light")), .position = position_of(value.member("position"))};
-    light.light.color = color_or(value, "color", light.light.color);
+    if (value.optional("color")) light.light.color = color_or(value, "color", glm::vec3(1));
     light.direction = {0, -1, 0};
     std::optional<Mount> mount;
     if (const auto given = value.optional("mount")) {

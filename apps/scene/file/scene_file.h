@@ -66,7 +66,7 @@ namespace litfog::scene {
 ///       }],
 ///       "city": {                                         optional: a generated city around the origin (model/city.h)
 ///         "lights": 1000, "seed": 1,                      how many shine, [1, 100000]; optional: 1000, 1
-///         "without": [0, 17],                             optional: indices of those of them that do not
+///         "without": [0, 17],                             optional: indices of lights that are switched off
 ///         "street_lamp": "../lights/street-lamp.json",    its kinds of lights, as above: also headlight, tail_lamp,
 ///         ...                                             shop_window, window, runway_edge, approach_light
 ///       },

@@ -21,7 +21,7 @@ inline constexpr std::size_t kMaxCityLights = 100'000;
 struct City {
   std::size_t lights = 1000;  ///< [1, kMaxCityLights]
   std::uint32_t seed = 1;
-  std::set<std::size_t> without = {};  ///< indices in that list of lights that do not shine
+  std::set<std::size_t> without = {};  ///< indices in that list of lights that are off
   Light street_lamp;                   ///< shines down
   Light headlight;                     ///< cars', like the tail lamp
   Light tail_lamp;

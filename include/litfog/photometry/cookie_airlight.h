@@ -28,7 +28,8 @@ double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3
 double reference_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
                           const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
 
-/// The same for reference pictures, in double.
+/// The same for reference pictures, in double, of lights and fogs whose coefficients and densities are 0 or in [1e-20,
+/// 1e20].
 ///
 /// max error  kPictureAirlightMaxError                                                     (cookie_airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
