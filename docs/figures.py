@@ -210,11 +210,10 @@ def traced():
     lines = []
     for single in only(rows, fog_light="single"):
         all_orders = one(rows, scene=single["scene"], visibility_m=single["visibility_m"], fog_light="all")
-        lines.append([f"`{single['scene']}`", f"{number(single['visibility_m'])} m"] +
-                     [number(row[key]) for row in (single, all_orders) for key in ("ratio_p10", "ratio_p50", "ratio_p90")] +
-                     [number(single["noise_p50"])])
-    return table(["scene", "visibility", "single: 1 of 10 below", "half below", "1 of 10 above", "all: 1 of 10 below", "half below",
-                  "1 of 10 above", "noise"], lines, ("traced", rows[0]))
+        ratios = [number(row[key]) for row in (single, all_orders) for key in ("ratio_p10", "ratio_p50", "ratio_p90")]
+        lines.append([f"`{single['scene']}`", f"{number(single['visibility_m'])} m", *ratios, number(single["noise_p50"])])
+    return table(["scene", "visibility", "single: 10 %", "median", "90 %", "all: 10 %", "median", "90 %", "noise"], lines,
+                 ("traced", rows[0]))
 
 
 @figure
