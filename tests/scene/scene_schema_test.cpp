@@ -10,6 +10,7 @@
 #include "files/json_schema.h"
 #include "litfog/photometry/cookie_file.h"
 #include "scene/file/scene_file.h"
+#include "scene/model/city.h"
 #include "scene/model/model_catalogue.h"
 
 namespace litfog::test {
@@ -83,6 +84,26 @@ TEST_F(SceneSchema, SchemaHasTheReadersMembersAlone) {
   EXPECT_EQ(schema_.members_at("/definitions/city"), refused_members(camera + R"("city": {"zzz": 1})"));
   EXPECT_EQ(schema_.members_at("/definitions/scatter"),
             refused_members(camera + R"("objects": [{"model": "box", "scatter": {"zzz": 1}}])"));
+}
+
+// By itself, because each reading of a city builds it.
+TEST_F(SceneSchema, LightsOfACityThatAreOffAreTheReaders) {
+  const auto scene_without = [](const std::string& lights) {
+    std::string kinds;
+    for (const scene::CityLightKind& kind : scene::kCityLightKinds) {
+      kinds += std::string(", \"") + kind.name + R"(": "lamp.json")";
+    }
+    return R"({"litfog": "scene", "version": 1, "camera": {"position": [0, 2, 0], "target": [0, 1, -9]}, )"
+           R"("city": {"lights": 1, "without": )" + lights + kinds + "}}";
+  };
+  for (const char* right : {"[]", "[0, 99999]"}) {
+    EXPECT_EQ(schema_.error_of(scene_without(right)), "") << right;
+    EXPECT_EQ(refusal_of_(scene_without(right)), "") << right;
+  }
+  for (const char* wrong : {"0", "[-1]", "[0.5]", "[100000]", "[\"0\"]"}) {
+    EXPECT_NE(schema_.error_of(scene_without(wrong)), "") << wrong;
+    EXPECT_NE(refusal_of_(scene_without(wrong)), "") << wrong;
+  }
 }
 
 TEST_F(SceneSchema, ModelsAreTheCatalogues) {
