@@ -247,21 +247,23 @@ class ScatteringPaths::Walk {
     plain_orders_ = (8 + transport_depth * transport_depth) * transport;
   }
 
+  Leg leg_along(const EyeRay& ray) const { return leg_from(ray.origin, ray.direction, ray.length); }
+
   /// What is scattered once.
-  void add_first(const EyeRay& ray, Random& random, Sums& sums) const {
-    const Leg eye_leg = leg_from(ray.origin, ray.direction, ray.length);
+  void add_first(const Leg& eye_leg, Random& random, Sums& sums) const {
     if (!(eye_leg.first < eye_leg.last)) return;
     double density = 0;
     const double place = draw_on(eye_leg, random, density);
     sums.first += source(eye_leg, place) / density;
   }
 
-  void add_path(const EyeRay& ray, Random& random, Sums& sums) const {
-    const Leg eye_leg = leg_from(ray.origin, ray.direction, ray.length);
+  void add_path(const Leg& eye_leg, Random& random, Sums& sums) const {
     double weight = 0;
     const double length = draw_first_vertex(eye_leg, random, weight);
     if (!(weight > 0)) return;
-    follow({.position = ray.origin + ray.direction * length, .direction = ray.direction, .kind = Vertex::Kind::fog},
+    follow({.position = eye_leg.origin + eye_leg.direction * length,
+            .direction = eye_leg.direction,
+            .kind = Vertex::Kind::fog},
            weight, random, sums);
   }
 
@@ -634,7 +636,7 @@ ScatteringPaths& ScatteringPaths::operator=(ScatteringPaths&&) noexcept = defaul
 double ScatteringPaths::scattered(const EyeRay& ray, std::uint64_t seed, std::uint64_t path) const {
   Random random(seed, path);
   Sums sums;
-  walk_->add_path(ray, random, sums);
+  walk_->add_path(walk_->leg_along(ray), random, sums);
   return sums.higher;
 }
 
@@ -651,6 +653,7 @@ ScatteredLight walk_scattering(const PlacedLight& light, const Atmosphere& atmos
   require(find_error(ray));
   if (walk.paths == 0) fail_count("paths", 0, "must be at least 1");
   const ScatteringPaths steps(light, atmosphere, ray.origin, walk.surroundings);
+  const Leg eye_leg = steps.walk_->leg_along(ray);
   const std::uint64_t paths = (walk.paths + kScatteringBatches - 1) / kScatteringBatches;
   std::array<Sums, kScatteringBatches> batches;
   for_each_in_parallel(
@@ -659,8 +662,8 @@ ScatteredLight walk_scattering(const PlacedLight& light, const Atmosphere& atmos
         Random random(walk.seed, batch);
         Sums sums;
         for (std::uint64_t i = 0; i < paths; ++i) {
-          steps.walk_->add_first(ray, random, sums);
-          steps.walk_->add_path(ray, random, sums);
+          steps.walk_->add_first(eye_leg, random, sums);
+          steps.walk_->add_path(eye_leg, random, sums);
         }
         batches[batch] = sums;
       },

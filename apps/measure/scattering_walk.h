@@ -85,8 +85,8 @@ class ScatteringPaths {
   ScatteringPaths(ScatteringPaths&&) noexcept;
   ScatteringPaths& operator=(ScatteringPaths&&) noexcept;
 
-  /// An unbiased sample of M in the unit of airlight(), along a ray from the eye that has no find_error() and ends where
-  /// the caller sees a surface. Each path of a seed is another sample.
+  /// An unbiased sample of M in the unit of airlight(), along a ray from the eye that has no find_error() and ends
+  /// where the caller sees a surface. Each path of a seed is another sample.
   double scattered(const EyeRay& ray, std::uint64_t seed, std::uint64_t path) const;
   /// An unbiased sample of the radiance of a white surface lit by light that was scattered or reflected elsewhere, in
   /// the same unit.
