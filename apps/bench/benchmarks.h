@@ -15,10 +15,10 @@ namespace litfog::bench {
 /// The result of a benchmark.
 struct Result {
   command::Table table;
-  command::Figure figure;             ///< no charts for a benchmark that draws none
-  std::string gl_renderer = "none";   ///< GL_RENDERER
+  command::Figure figure;                   ///< no charts for a benchmark that draws none
+  std::string gl_renderer = "none";         ///< GL_RENDERER
   std::function<std::string()> strip = {};  ///< draws the bytes of a PNG file; empty for a benchmark without
-  std::vector<std::string> failures;  ///< sentences: where litfog exceeded its own stated error
+  std::vector<std::string> failures;        ///< sentences: where litfog exceeded its own stated error
 };
 
 /// Time against error of every method to find a light's fog colour intensity, over the mix of light_mix.h. Columns:
@@ -115,7 +115,7 @@ std::string draw_glow_strip(bool quick);
 ///
 /// scene, visibility_m
 /// fog_light             single or all
-/// ratio_p10, _p50, _p90  luminance over the true one: quantiles over squares of 4 x 4 pixels
+/// ratio_p10, ratio_p50, ratio_p90  luminance over the true one: quantiles over squares of 4 x 4 pixels
 /// noise_p50             of the traced paths, relative: the median of half the difference of two halves over their mean
 ///
 /// quick   one view, tiny, of few paths

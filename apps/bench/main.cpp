@@ -60,9 +60,9 @@ converges only beyond a depth of 1; one Gaussian (after Premože et al. 2004); t
 steps (Wrenninge et al. 2013, as in engines); a random walk of 65,536 paths (walk, with its standard error).
 Errors are against the discretised equation of transfer (reference). --strip draws one lamp at six visibilities.
 
-traced: no times; four views of scenes, lit by single scattering and by all orders. The truth is single scattering plus
-128 random paths a pixel, which fog scatters and surfaces reflect and block (walk_scattering); shadows are shafts of 32 lamps.
-The ratios are quantiles of the luminance over the true one, in squares of 4 x 4 pixels. --strip draws all views.
+traced: no times; four views of scenes, lit by single scattering and by all orders. The truth is single scattering, with
+the shafts of shadow of 32 lamps, plus 128 random paths a pixel, which fog scatters and surfaces reflect and block. The
+ratios are quantiles of the luminance over the true one, in squares of 4 x 4 pixels. --strip draws all views.
 
 update: 1,000 steps of visibility, 10,000 m to 50 m and back, with a million lights of 200 kinds, all carried and on.
 updater-layers: the same in a layer of droplets, with what all orders of scattering need for each kind.

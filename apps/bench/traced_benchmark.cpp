@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 #include <span>
 #include <vector>
 
@@ -44,8 +45,13 @@ std::vector<double> blocks_of(const render::Picture& picture) {
   return blocks;
 }
 
-render::Picture sum_of(render::Picture a, const render::Picture& b, float factor = 1) {
-  for (std::size_t i = 0; i < a.rgb.size(); ++i) a.rgb[i] += factor * b.rgb[i];
+render::Picture sum_of(render::Picture a, const render::Picture& b) {
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) a.rgb[i] += b.rgb[i];
+  return a;
+}
+
+render::Picture mean_of(render::Picture a, const render::Picture& b) {
+  for (std::size_t i = 0; i < a.rgb.size(); ++i) a.rgb[i] = std::midpoint(a.rgb[i], b.rgb[i]);
   return a;
 }
 
@@ -75,7 +81,7 @@ std::vector<drawing::SheetEntry> measure(const View& view, bool quick, const mea
     halves[seed - 1] =
         sum_of(single, measure::trace_higher_orders(*of_all, {.paths = quick ? 8 : 64, .seed = seed}, progress));
   }
-  const render::Picture traced = sum_of(sum_of(halves[0], halves[0], -0.5f), halves[1], 0.5f);
+  const render::Picture traced = mean_of(halves[0], halves[1]);
 
   const std::vector<double> truth = blocks_of(traced), one = blocks_of(halves[0]), other = blocks_of(halves[1]);
   std::vector<double> noise;

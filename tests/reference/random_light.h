@@ -48,7 +48,8 @@ inline int scaled_count(int by_default) {
   char* end = nullptr;
   const double times = std::strtod(scale, &end);
   if (*end != '\0' || !(times >= 1 && times * by_default <= std::numeric_limits<int>::max())) {
-    throw std::invalid_argument(std::string("LITFOG_TEST_SCALE = ") + scale + ": must be at least 1, of 2^31 - 1 cases");
+    throw std::invalid_argument(std::string("LITFOG_TEST_SCALE = ") + scale +
+                                ": must be at least 1, for fewer than 2^31 cases");
   }
   return int(times * by_default);
 }
