@@ -16,6 +16,7 @@
 #include "window/camera_motion.h"
 #include "window/light_levels.h"
 #include "window/light_pick.h"
+#include "window/moved_picture.h"
 
 namespace litfog::window {
 namespace {
@@ -26,7 +27,6 @@ constexpr double kZoomPerNotch = 0.85;     // factor of the target's distance
 constexpr double kTargetsPerSecond = 0.5;  // flying speed in distances to the target
 constexpr double kMinSpeed = 1;            // metres a second
 constexpr float kWipeReach = 7;            // pixels
-constexpr double kFarthestSurface = 1e6;   // metres
 
 void* texture_id(const gl::TextureName& texture) {
   return reinterpret_cast<void*>(std::uintptr_t{texture.id()});  // NOLINT: how ImGui takes OpenGL's names
@@ -70,6 +70,25 @@ struct Area {
   /// Where A ends and B begins.
   float wipe_x(const Session& session) const { return corner.x + std::round(float(session.wipe) * size.x); }
 };
+
+void draw_moved(ImDrawList& draw, const Area& area, const gl::TextureName& texture, const MovedPicture& moved) {
+  for (int row = 0; row < MovedPicture::kRows; ++row) {
+    for (int column = 0; column < MovedPicture::kColumns; ++column) {
+      ImVec2 corners[4], sources[4];
+      bool is_known = true;
+      for (int i = 0; i < 4; ++i) {  // around the cell
+        const int x = column + (i == 1 || i == 2), y = row + i / 2;
+        const auto source = moved.source(x, y);
+        is_known = is_known && source;
+        corners[i] = area.at(MovedPicture::place(x, y));
+        if (source) sources[i] = {float(source->x), float(source->y)};
+      }
+      if (!is_known) continue;
+      draw.AddImageQuad(texture_id(texture), corners[0], corners[1], corners[2], corners[3], sources[0], sources[1],
+                        sources[2], sources[3]);
+    }
+  }
+}
 
 /// Moves the picked lamp at its distance from the camera's plane.
 void drag_lamp(Session& session, const Area& area) {
@@ -211,6 +230,8 @@ void draw_wipe(ImDrawList& draw, const Area& area, const Session& session) {
 
 void PicturePanel::show(const Delivery& delivery, bool is_false_colored) {
   shown_ = delivery.pictures.size();
+  camera_ = delivery.order.camera;
+  aspect_ = double(delivery.order.width) / delivery.order.height;
   for (std::size_t i = 0; i < shown_; ++i) {
     const DrawnPicture& drawn = delivery.pictures[i];
     upload(textures_[i], drawn.light,
@@ -226,13 +247,6 @@ void PicturePanel::draw(Session& session, const measure::TriangleTree* surfaces,
   const double aspect = double(width_) / height_;
   ImDrawList& draw = *ImGui::GetWindowDrawList();
   const bool is_split = session.is_split && shown_ > 1;
-  if (shown_ > 0) draw.AddImage(texture_id(textures_[0]), area.corner, area.end());
-  if (is_split) {
-    draw.PushClipRect({area.wipe_x(session), area.corner.y}, area.end(), true);
-    draw.AddImage(texture_id(textures_[1]), area.corner, area.end());
-    draw.PopClipRect();
-  }
-
   ImGui::InvisibleButton("picture", {std::max(area.size.x, 1.0f), std::max(area.size.y, 1.0f)},
                          ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight);
   const ImGuiIO& io = ImGui::GetIO();
@@ -267,6 +281,20 @@ void PicturePanel::draw(Session& session, const measure::TriangleTree* surfaces,
   if (surfaces) stay_before_surfaces(session.camera, before, *surfaces);
 
   draw.PushClipRect(area.corner, area.end(), true);
+  std::optional<MovedPicture> moved;
+  if (session.camera != camera_) moved.emplace(camera_, aspect_, session.camera, aspect, surfaces);
+  const auto draw_picture = [&](const gl::TextureName& texture) {
+    if (moved)
+      draw_moved(draw, area, texture, *moved);
+    else
+      draw.AddImage(texture_id(texture), area.corner, area.end());
+  };
+  if (shown_ > 0) draw_picture(textures_[0]);
+  if (is_split) {
+    draw.PushClipRect({area.wipe_x(session), area.corner.y}, area.end(), true);
+    draw_picture(textures_[1]);
+    draw.PopClipRect();
+  }
   mark_lamps(draw, area, aspect, session, hovered);
   if (session.picked) draw_reach(draw, area, aspect, session.camera, session.light_now(*session.picked));
   if (session.picked && !is_over) draw_cross(draw, area.at(pointed_));

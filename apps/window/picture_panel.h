@@ -16,7 +16,8 @@ class PicturePanel {
   /// Takes pictures of any size, which are stretched over the panel.
   void show(const Delivery& delivery, bool is_false_colored);
 
-  /// Draws the pictures over the whole window, and applies mouse and keyboard to the session.
+  /// Applies mouse and keyboard to the session, and draws the pictures over the whole window, moved by MovedPicture if
+  /// the camera has moved since they were made.
   ///
   /// surfaces  the scene's; null: not yet known
   /// hovered   a lamp to mark besides the picked one
@@ -35,6 +36,8 @@ class PicturePanel {
 
   std::array<gl::TextureName, 2> textures_;
   std::size_t shown_ = 0;  // number of pictures shown
+  scene::Camera camera_;   // theirs
+  double aspect_ = 1;      // theirs: width / height
   std::optional<glm::dvec2> mouse_;
   glm::dvec2 pointed_{0.5};  // the mouse's last position: fractions of the picture
   glm::dvec3 pivot_{0.0};    // a drag orbits about this point
