@@ -346,7 +346,9 @@ class GltfReader {
     glm::dvec3 color(1.0);
     if (const auto given = light.optional("color")) {
       color = glm::make_vec3(numbers(*given, 3).data());
-      if (!glm::all(glm::greaterThanEqual(color, glm::dvec3(0.0)))) given->fail("must be >= 0");
+      for (int i = 0; i < 3; ++i) {
+        if (!(color[i] >= 0 && color[i] <= kMaxColor)) given->fail(fmt::format("must be in [0, {}]", kMaxColor));
+      }
     }
     const double intensity = light.number_or("intensity", 1);
     if (!(intensity >= 0)) light.member("intensity").fail("must be >= 0");
