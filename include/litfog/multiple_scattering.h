@@ -30,9 +30,6 @@ struct ScatteringTable {
   std::array<std::array<float, kScatteringAngles>, kScatteringDepths> logs;
 };
 
-/// What is wrong with a table, or nothing: its logarithms are at most 100 in magnitude.
-std::optional<ValueError> find_error(const ScatteringTable& table);
-
 /// Why an atmosphere has no scattering table, or nothing: its fog is not exp, its albedo is not 1, or its phase
 /// function is another than those above.
 std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere);
@@ -41,6 +38,10 @@ std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere);
 ///
 /// throws  std::invalid_argument naming field, value and rule (find_error, find_scattering_error)
 ScatteringTable make_scattering_table(const Atmosphere& atmosphere);
+
+/// What is wrong with a table for an atmosphere that has one, or nothing: its logarithms are at most 100 in magnitude,
+/// and it is that of the phase function.
+std::optional<ValueError> find_error(const ScatteringTable& table, const Atmosphere& atmosphere);
 
 /// M / (I d^2) of a table, between its numbers.
 ///

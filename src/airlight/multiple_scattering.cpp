@@ -29,6 +29,9 @@ constexpr int kFineness = 4;
 constexpr int kTabulatedDepths = (kScatteringDepths - 1) / kFineness + 1;
 constexpr int kTabulatedAngles = (kScatteringAngles - 1) / kFineness + 1;
 
+/// The difference of logarithms within which a table is that of a phase function: half of kScatteringMedianError.
+constexpr double kTableAgreement = 0.0015;
+
 /// A row of data/scattering/point.csv.
 struct Row {
   const char* phase;
@@ -69,6 +72,27 @@ PhasePlace place(const Phase& phase) {
 /// In which tables are interpolated.
 double coordinate(const PhasePlace& of, double parameter) {
   return of.rows.front().phase[0] == 'h' ? -std::log1p(-parameter) : std::log(parameter);
+}
+
+/// The two tables of data/scattering/point.csv between which that of a phase function lies.
+struct Neighbours {
+  const Row* first;
+  const Row* second;
+  double share;  // of the second
+
+  double logarithm(int depth, int angle) const {
+    return std::lerp(first[depth].logarithm(angle), second[depth].logarithm(angle), share);
+  }
+};
+
+Neighbours neighbours_of(const PhasePlace& at) {
+  const std::size_t tables = at.rows.size() / kTabulatedDepths;
+  const auto parameter = [&](std::size_t i) { return coordinate(at, at.rows[i * kTabulatedDepths].parameter()); };
+  const double x = coordinate(at, at.parameter);
+  std::size_t below = 0;
+  while (below + 2 < tables && parameter(below + 1) <= x) ++below;
+  const double share = std::clamp((x - parameter(below)) / (parameter(below + 1) - parameter(below)), 0.0, 1.0);
+  return {&at.rows[below * kTabulatedDepths], &at.rows[(below + 1) * kTabulatedDepths], share};
 }
 
 /// A profile whose densities, times any height, are finite.
@@ -243,7 +267,7 @@ std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere) {
   return std::nullopt;
 }
 
-std::optional<ValueError> find_error(const ScatteringTable& table) {
+std::optional<ValueError> find_error(const ScatteringTable& table, const Atmosphere& atmosphere) {
   for (const auto& row : table.logs) {
     const auto is_fit = [](float each) { return std::abs(each) <= 100; };
     int fit = 0;
@@ -251,26 +275,25 @@ std::optional<ValueError> find_error(const ScatteringTable& table) {
     if (fit == kScatteringAngles) continue;
     return ValueError{"table", *std::ranges::find_if_not(row, is_fit), "must be at most 100 in magnitude"};
   }
+  // At its corners, since all else follows from the phase function, too.
+  const Neighbours right = neighbours_of(place(atmosphere.phase));
+  for (const auto& [depth, angle] :
+       {std::pair(0, 0), std::pair(0, kTabulatedAngles - 1), std::pair(kTabulatedDepths - 1, 0)}) {
+    const float log = table.logs[std::size_t(depth * kFineness)][std::size_t(angle * kFineness)];
+    if (!(std::abs(log - right.logarithm(depth, angle)) <= kTableAgreement)) {
+      return ValueError{"table", log, "must be of make_scattering_table for the atmosphere's phase function"};
+    }
+  }
   return std::nullopt;
 }
 
 ScatteringTable make_scattering_table(const Atmosphere& atmosphere) {
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
-  const PhasePlace at = place(atmosphere.phase);
-  const std::size_t tables = at.rows.size() / kTabulatedDepths;
-  const auto parameter = [&](std::size_t i) { return coordinate(at, at.rows[i * kTabulatedDepths].parameter()); };
-  const double x = coordinate(at, at.parameter);
-  std::size_t below = 0;
-  while (below + 2 < tables && parameter(below + 1) <= x) ++below;
-  const double share = std::clamp((x - parameter(below)) / (parameter(below + 1) - parameter(below)), 0.0, 1.0);
+  const Neighbours neighbours = neighbours_of(place(atmosphere.phase));
   std::array<std::array<double, kTabulatedAngles>, kTabulatedDepths> logs;
-  for (std::size_t i = 0; i < kTabulatedDepths; ++i) {
-    const Row& first = at.rows[below * kTabulatedDepths + i];
-    const Row& second = at.rows[(below + 1) * kTabulatedDepths + i];
-    for (int j = 0; j < kTabulatedAngles; ++j) {
-      logs[i][std::size_t(j)] = std::lerp(first.logarithm(j), second.logarithm(j), share);
-    }
+  for (int i = 0; i < kTabulatedDepths; ++i) {
+    for (int j = 0; j < kTabulatedAngles; ++j) logs[std::size_t(i)][std::size_t(j)] = neighbours.logarithm(i, j);
   }
   ScatteringTable table;
   for (int j = 0; j < kScatteringAngles; ++j) {
@@ -436,7 +459,7 @@ void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere,
   require(find_error(light));
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
-  require(find_error(table));
+  require(find_error(table, atmosphere));
   for (const EyeRay& ray : rays) require(find_error(ray));
   const ScatteringSource source = light.light.cone.is_point_light()
                                       ? scattering_source(light.light, atmosphere)

@@ -109,8 +109,10 @@ void FarAirlight::draw(const View& view, const Atmosphere& atmosphere, const Fog
 
   GLint program = 0;
   GLint bound = 0;
+  GLint vertices = 0;
   GLint viewport[4];
   glGetIntegerv(GL_CURRENT_PROGRAM, &program);
+  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &vertices);
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &bound);
   glGetIntegerv(GL_VIEWPORT, viewport);
   const Program& sum = program_for(atmosphere);
@@ -130,6 +132,7 @@ void FarAirlight::draw(const View& view, const Atmosphere& atmosphere, const Fog
   fog_block_.bind(sum, kBlockBinding);
 
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, framebuffer_.id());
+  glBindVertexArray(no_vertices_.id());
   glViewport(0, 0, size_.x, size_.y);
   constexpr GLfloat kEmpty[] = {0, 0, 0, 0};
   for (int i = 0; i < kSlabs; ++i) glClearBufferfv(GL_COLOR, i, kEmpty);
@@ -138,6 +141,7 @@ void FarAirlight::draw(const View& view, const Atmosphere& atmosphere, const Fog
   glBlendFuncSeparate(GL_ONE, GL_ONE, GL_ONE, GL_ZERO);  // alpha holds ranges, the same each time
   glDrawArraysInstanced(GL_TRIANGLES, 0, 3, GLsizei((lights + kLightsAtOnce - 1) / kLightsAtOnce));
   glDisable(GL_BLEND);
+  glBindVertexArray(GLuint(vertices));
   glBindFramebuffer(GL_DRAW_FRAMEBUFFER, GLuint(bound));
   glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
   if (glIsProgram(GLuint(program))) glUseProgram(GLuint(program));  // a host may have deleted it while it was in use

@@ -255,8 +255,7 @@ TEST(MultipleScattering, InLayersNothingJumps) {
   };
   PlacedLight lamp = inverse_square_lamp({3, 4, -30});
   const auto along = [&](const Atmosphere& air, double height, double rise) {
-    return scattering_of(
-        lamp, air, {.origin = {0, height, 0}, .direction = {0, rise, -std::sqrt(1 - rise * rise)}});
+    return scattering_of(lamp, air, {.origin = {0, height, 0}, .direction = {0, rise, -std::sqrt(1 - rise * rise)}});
   };
   for (const double rise : {1e-12, 1e-8, 1e-6, 1e-5, -1e-7}) {
     EXPECT_NEAR(along(layer(0), 4, rise) / along(layer(0), 4, 0), 1, 0.01) << rise;
@@ -320,6 +319,24 @@ TEST(ScatteringTable, AtmosphereWithoutOneIsNamed) {
   Phase mixed = Phase::droplets(10);
   mixed.weight *= 0.9;
   EXPECT_NE(refused(uniform_fog(0.1, mixed)), "no error");
+}
+
+TEST(ScatteringTable, TableOfAnotherPhaseFunctionIsRefused) {
+  const Phase phases[] = {
+      {}, Phase::henyey_greenstein(0.01), Phase::henyey_greenstein(0.85), Phase::droplets(10), Phase::droplets(10.5)};
+  for (const Phase& given : phases) {
+    const ScatteringTable table = make_scattering_table(uniform_fog(1, given));
+    for (const Phase& phase : phases) {
+      const Atmosphere air = uniform_fog(0.1, phase);
+      const std::string scattering =
+          error_of([&] { multiple_scattering(inverse_square_lamp({}), air, table, EyeRay{}); });
+      EXPECT_EQ(error_of([&] { make_thin_beams(air, table); }), scattering);
+      if (&given == &phase)
+        EXPECT_EQ(scattering, "no error");
+      else
+        EXPECT_TRUE(scattering.ends_with("must be of make_scattering_table for the atmosphere's phase function"));
+    }
+  }
 }
 
 TEST(ScatteringTable, AtmosphereThatIsNoneIsNamed) {

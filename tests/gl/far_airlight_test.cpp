@@ -67,11 +67,11 @@ class FarAirlight : public GlTest {
     const FogLightChanges changes = updater.set_fog(atmosphere.fog);
     gl::FogLightTables tables;
     tables.upload(updater.kinds(), updater.instances(), changes);
-    const gl::VertexArrayName vertices;
-    glBindVertexArray(vertices.id());
     gl::FarAirlight far;
     far.draw(view_, atmosphere, tables, lamps_.size());
 
+    const gl::VertexArrayName vertices;
+    glBindVertexArray(vertices.id());
     const gl::Program program = FormulaPixels::program(R"(
 #include "litfog/shaders/far_airlight.glsl"
 #include "test/input.glsl"
@@ -132,7 +132,7 @@ TEST_F(FarAirlight, SumIsThatOfEachLampBeyondItsExtent) {
   }
 }
 
-TEST_F(FarAirlight, DrawingKeepsProgramFramebufferAndViewport) {
+TEST_F(FarAirlight, DrawingKeepsProgramFramebufferVertexArrayAndViewport) {
   const gl::Program program =
       FormulaPixels::program("#include \"test/input.glsl\"\nvoid main() { result = vec4(1.0); }\n");
   const gl::FramebufferName framebuffer;
@@ -146,11 +146,13 @@ TEST_F(FarAirlight, DrawingKeepsProgramFramebufferAndViewport) {
   gl::FogLightTables tables;
   tables.upload(updater.kinds(), updater.instances(), updater.set_fog({FogMode::exp, 0.01}));
   gl::FarAirlight({4, 3}).draw(view_, {.fog = {FogMode::exp, 0.01}}, tables, 1);
-  GLint state[6] = {};
+  GLint state[7] = {};
   glGetIntegerv(GL_CURRENT_PROGRAM, &state[0]);
   glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &state[1]);
-  glGetIntegerv(GL_VIEWPORT, &state[2]);
-  EXPECT_EQ(std::to_array(state), (std::array{GLint(program.id()), GLint(framebuffer.id()), 1, 2, 3, 4}));
+  glGetIntegerv(GL_VERTEX_ARRAY_BINDING, &state[2]);
+  glGetIntegerv(GL_VIEWPORT, &state[3]);
+  EXPECT_EQ(std::to_array(state),
+            (std::array{GLint(program.id()), GLint(framebuffer.id()), GLint(vertices.id()), 1, 2, 3, 4}));
 }
 
 TEST_F(FarAirlight, RefusesAGridOfOneRay) {

@@ -204,6 +204,8 @@ TEST_F(SceneFile, DisplayIsReadAndChecked) {
 TEST_F(SceneFile, FogTopIsAFiniteNumberAndAsymmetryLiesBetweenMinusOneAndOne) {
   EXPECT_EQ(error_of("\"phase_g\": 1, \"objects\": []"), ":3:12: phase_g = 1: must be in (-1, 1)");
   EXPECT_EQ(error_of("\"phase_g\": -1.0, \"objects\": []"), ":3:12: phase_g = -1.0: must be in (-1, 1)");
+  EXPECT_EQ(error_of("\"phase_g\": 0.5, \"atmosphere\": {\"phase\": \"rayleigh\"}, \"objects\": []"),
+            ":3:41: atmosphere.phase = \"rayleigh\": must not stand beside phase_g");
   EXPECT_EQ(error_of("\"fog_top_m\": \"high\", \"objects\": []"), ":3:14: fog_top_m = \"high\": must be a number");
   EXPECT_TRUE(error_of("\"fog_top_m\": 1e999, \"objects\": []").starts_with(":3:14: "));
   EXPECT_NE(error_of("\"fog_top_m\": null, \"objects\": []"), "no error");

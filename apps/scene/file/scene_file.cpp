@@ -191,6 +191,7 @@ void read_atmosphere(const JsonValue& value, Scene& scene) {
   value.allow_only({"phase", "albedo", "layers"});
   Atmosphere& air = scene.atmosphere;
   if (const auto phase = value.optional("phase")) {
+    if (scene.states_phase) phase->fail("must not stand beside phase_g");
     air.phase = read_phase(*phase);
     scene.states_phase = true;
   }

@@ -33,7 +33,7 @@ namespace litfog::scene {
 ///                                                         and moonlight enters it (Atmosphere::top_above() and
 ///                                                         light_top()); default: never, any fog hides the sky, and
 ///                                                         1200, from height 0 of the scene
-///       "phase_g": 0.8,                                   optional: shorthand for the phase function hg:0.8
+///       "phase_g": 0.8,                                   optional: instead of atmosphere.phase: hg:0.8
 ///       "atmosphere": {                                   optional: the air
 ///         "phase": "droplets:20",                         optional: the fog's phase function, named by kPhaseRule;
 ///                                                         default: droplets:10
@@ -78,8 +78,8 @@ namespace litfog::scene {
 ///       }]                                                area: x and z of two corners; headings at random
 ///     }
 ///
-/// "aim" moves with a repeated light. A scene has at most 100,000 lights, 128 of them carried, and 50,000 objects.
-/// Coordinates are within 10,000 km, colour components at most 10,000.
+/// "aim" moves with a repeated light. A scene has at most 100,000 lights, 200 of them carried, and 50,000 objects; an
+/// entry has at most 20,000 copies. Coordinates are within 10,000 km, colour components at most 10,000.
 // clang-format on
 
 /// A value that replaces or adds a member of a scene file. The change comes before parsing, so all rules of the file

@@ -16,10 +16,12 @@
 namespace litfog::gl {
 
 /// The airlight that the lights of tables add beyond their extents, summed once per frame over all of them in a coarse
-/// grid of a view, for litfog_far_airlight() of litfog/shaders/far_airlight.glsl. It leaves out lights with cookies.
+/// grid of a view, for litfog_far_airlight() of litfog/shaders/far_airlight.glsl. It leaves out lights with cookies. In
+/// fog that scatters forward, such as droplets, it lacks most of the glow within 9 degrees of a lamp, which
+/// litfog_far_peak() of the same file adds lamp by lamp.
 ///
-/// error    if extents subtend some rays: mean 1 %, largest 6 % of the brightest sum of a picture; in layers mean 5 %,
-///          largest 15 %                                                                       (far_airlight_test.cpp)
+/// error    with litfog_far_peak(), and if extents subtend some rays: mean 1 %, largest 6 % of the brightest sum of a
+///          picture; in layers mean 5 %, largest 15 %                                          (far_airlight_test.cpp)
 /// threads  like GlName
 class FarAirlight {
  public:
@@ -27,10 +29,10 @@ class FarAirlight {
   /// throws  std::invalid_argument naming field, value and rule; Unsupported if the driver cannot draw into floats
   explicit FarAirlight(glm::ivec2 grid = {32, 18});
 
-  /// Draws the grid. Before: a vertex array is bound, face culling and the scissor test are off. After: the tables are
-  /// bound to texture units 14 and 15 and a uniform buffer to binding point 35, which every OpenGL 3.3 has; unit 15 is
-  /// active; blending is off, with other functions; program, framebuffer and viewport are unchanged. Compiles a program
-  /// when it first meets a combination of fog mode, number of knots and isotropic or other phase function.
+  /// Draws the grid. Before: face culling and the scissor test are off. After: the tables are bound to texture units 14
+  /// and 15 and a uniform buffer to binding point 35, which every OpenGL 3.3 has; unit 15 is active; blending is off,
+  /// with other functions; program, framebuffer, vertex array and viewport are unchanged. Compiles a program when it
+  /// first meets a combination of fog mode, number of knots and isotropic or other phase function.
   ///
   /// lights  number of lights, from the first of the tables; their density scales are at least 1, so that fog hides far
   ///         ones
@@ -49,6 +51,7 @@ class FarAirlight {
   FogLightBuffer fog_block_;
   TextureName grid_;
   FramebufferName framebuffer_;
+  VertexArrayName no_vertices_;
 };
 
 }  // namespace litfog::gl
