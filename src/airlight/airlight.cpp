@@ -15,6 +15,7 @@
 #include "model/level_range.h"
 #include "model/require.h"
 #include "model/unchecked.h"
+#include "require_rays.h"
 
 namespace litfog {
 namespace {
@@ -129,7 +130,7 @@ void airlight(const PlacedLight& light, const Atmosphere& atmosphere, std::span<
   assert(rays.size() == airlights.size());
   require(find_error(light));
   require(find_error(atmosphere));
-  for (const EyeRay& ray : rays) require(find_error(ray));
+  require_rays(rays);
   const SeenLight seen(light, atmosphere, lamp_leg);
   std::transform(rays.begin(), rays.end(), airlights.begin(),
                  [&](const EyeRay& ray) { return fast_airlight(seen, ray); });

@@ -11,6 +11,7 @@
 #include "model/float_limit.h"
 #include "model/phase_text.h"
 #include "model/require.h"
+#include "require_rays.h"
 
 namespace litfog {
 namespace {
@@ -65,7 +66,7 @@ void directional_airlight(const Atmosphere& atmosphere, const glm::dvec3& to_lig
                           std::span<double> airlights) {
   assert(rays.size() == airlights.size());
   require_all(atmosphere, to_light);
-  for (const EyeRay& ray : rays) require(find_error(ray));
+  require_rays(rays);
   const glm::dvec3 light = glm::normalize(to_light);
   const double density = std::min(atmosphere.fog.density, kTotalFog);
   const auto phase = phase_text::pack<double>(atmosphere.phase);

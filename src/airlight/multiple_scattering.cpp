@@ -11,6 +11,7 @@
 #include "model/level_range.h"
 #include "model/require.h"
 #include "model/unchecked.h"
+#include "require_rays.h"
 
 namespace litfog {
 namespace {
@@ -460,7 +461,7 @@ void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere,
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
   require(find_error(table, atmosphere));
-  for (const EyeRay& ray : rays) require(find_error(ray));
+  require_rays(rays);
   const ScatteringSource source = light.light.cone.is_point_light()
                                       ? scattering_source(light.light, atmosphere)
                                       : scattering_source(light.light, atmosphere, make_thin_beams(atmosphere, table));

@@ -83,6 +83,10 @@ litfog_status litfog_fog_between(const litfog_atmosphere* atmosphere, double hei
   });
 }
 
+litfog_status litfog_default_atmosphere(litfog_atmosphere* atmosphere) {
+  return c::call([&] { c::at(atmosphere, "atmosphere") = c::to_c<litfog_atmosphere>(Atmosphere{}); });
+}
+
 litfog_status litfog_default_light(litfog_light* light) {
   return c::call([&] { c::at(light, "light") = c::light_of({}); });
 }

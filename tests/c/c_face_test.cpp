@@ -326,7 +326,7 @@ TEST_F(CFace, MultipleScatteringIsThatOfCpp) {
   expect_unchanged("table = inf: must be at most 100 in magnitude");
   std::swap(table.logs[3][4], unknown);
   rays[1].length = -1;
-  expect_unchanged("length = -1: must be >= 0");
+  expect_unchanged("rays[1].length = -1: must be >= 0");
   air.albedo = 0.5;
   expect_unchanged("albedo = 0.5: must be 1 for all orders of scattering");
   EXPECT_EQ(litfog_make_scattering_table(&air, &table), LITFOG_INVALID_ARGUMENT);
@@ -410,7 +410,7 @@ TEST_F(CFace, AirlightOfTheSunIsThatOfCpp) {
 
   rays[1].length = -1;
   found[0] = 7;
-  expect_refused(litfog_directional_airlight(&air, to_light, rays, 2, found), "length = -1: must be >= 0");
+  expect_refused(litfog_directional_airlight(&air, to_light, rays, 2, found), "rays[1].length = -1: must be >= 0");
   EXPECT_EQ(found[0], 7);
   const double down[] = {0, -2, 0};
   expect_refused(litfog_directional_airlight(&air, down, rays, 1, found), "to_light = 2: length must be 1 within 1e-6");
@@ -554,6 +554,7 @@ TEST_F(CFace, NullIsRefusedByName) {
   int32_t can;
   double x;
   const std::vector<std::pair<const char*, std::function<litfog_status()>>> calls = {
+      {"atmosphere", [&] { return litfog_default_atmosphere(nullptr); }},
       {"light", [&] { return litfog_default_light(nullptr); }},
       {"light", [&] { return litfog_solve(nullptr, &fog_, &solution); }},
       {"fog", [&] { return litfog_solve(&light_.light, nullptr, &solution); }},

@@ -1284,7 +1284,7 @@ TEST(Airlight, AirlightAlongManyRaysIsThatAlongEach) {
   }
   rays.back().length = kNan;
   EXPECT_EQ(error_of([&] { airlight(c.light, c.atmosphere, rays, c.lamp_leg, airlights); }),
-            "length = nan: must be >= 0");
+            "rays[" + std::to_string(rays.size() - 1) + "].length = nan: must be >= 0");
 }
 
 TEST(Airlight, WrongArgumentsAreErrors) {

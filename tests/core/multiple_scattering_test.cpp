@@ -428,7 +428,7 @@ TEST(MultipleScattering, ManyRaysAreEachOnes) {
   }
   found.assign(rays.size(), 7);
   rays.back().length = -1;
-  EXPECT_EQ(error_of([&] { multiple_scattering(lamp, air, table, rays, found); }), "length = -1: must be >= 0");
+  EXPECT_EQ(error_of([&] { multiple_scattering(lamp, air, table, rays, found); }), "rays[2].length = -1: must be >= 0");
   EXPECT_EQ(found, std::vector<double>(rays.size(), 7));
 }
 

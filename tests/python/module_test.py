@@ -250,6 +250,27 @@ class SolveTest(unittest.TestCase):
         np.testing.assert_allclose(litfog.opacity_at(fog, ranges), -np.expm1(-0.5 * ranges), rtol=1e-15)
         np.testing.assert_allclose(litfog.fog_factor_at(fog, ranges), np.exp(-0.5 * ranges), atol=3e-16)
         self.assertEqual(litfog.cone_at(litfog.Cone.cosine(1, 2), 0.75), 0.5625)
+        cosines, weights = np.polynomial.legendre.leggauss(100)
+        phase = litfog.Phase.henyey_greenstein(0.5)
+        np.testing.assert_allclose(weights @ litfog.phase_at(phase, cosines), 2, rtol=1e-13)
+        self.assertEqual(litfog.phase_at(litfog.Phase(), -1), 1)
+        self.assertAlmostEqual(litfog.visibility(litfog.Fog.from_visibility("exp2", 150, 0.02), 0.02), 150)
+
+    def test_reference_airlight_is_airlight_more_exactly(self):
+        air = litfog.Atmosphere(litfog.Fog(density=0.05), litfog.Phase.droplets(10))
+        light = litfog.Light(attenuation=litfog.Attenuation(1, 0, 1), threshold=1e-6)
+        lamp = litfog.PlacedLight(light, position=(0, 1, -9))
+        rays = [((0, 0, 0), (0, 0, -1), length) for length in (5, math.inf)]
+        exact = litfog.reference_airlight(lamp, air, rays)
+        np.testing.assert_allclose(litfog.airlight(lamp, air, rays), exact, rtol=0.02)
+        middles = (np.arange(200_000) + 0.5) / 200_000 * 5  # the first ray's
+        ranges = np.hypot(1, 9 - middles)
+        scattered = litfog.phase_at(air.phase, (9 - middles) / ranges)
+        arriving = litfog.attenuation_at(light.attenuation, ranges) * np.exp(-0.05 * (ranges + middles))
+        self.assertAlmostEqual(exact[0], np.sum(scattered * arriving) * 0.05 * 5 / 200_000, delta=1e-9 * exact[0])
+        wrong = [((0, 0, 0), (0, 0, -1), 5), ((0, 0, 0), (0, 0, -2), 5)]
+        message = r"^rays\[1\]\.direction = 2: length must be 1 within 1e-6$"
+        self.assertRaisesRegex(ValueError, message, litfog.airlight, lamp, air, wrong)
 
     def test_numbers_lists_tuples_and_arrays_are_taken_alike(self):
         attenuation, fog, cone = litfog.Attenuation(1, 0, 0.25), litfog.Fog(density=0.5), litfog.Cone.cosine(1.5, 2)

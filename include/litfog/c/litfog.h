@@ -218,6 +218,9 @@ typedef struct litfog_placed_light {
   int32_t carried;      ///< not 0: carried by the eye's vehicle; Hales's term is for carried lights only
 } litfog_placed_light;
 
+/// Clear air that scatters alike in all directions, with albedo 1, no layers, no top and a black fog colour, to start
+/// from.
+LITFOG_API litfog_status litfog_default_atmosphere(litfog_atmosphere* atmosphere);
 /// A white point light with a(r) = 1 and the default threshold, to start from.
 LITFOG_API litfog_status litfog_default_light(litfog_light* light);
 /// The light of litfog_default_light at the origin along -z, not carried.
