@@ -8,7 +8,7 @@
 
 #include "command/bundled_data.h"
 #include "command/option_rule.h"
-#include "files/hint.h"
+#include "files/bundled_name.h"
 #include "litfog/input_error.h"
 #include "litfog/photometry/isocandela.h"
 #include "litfog/photometry/tm33.h"
@@ -83,7 +83,7 @@ class InputList {
       }
     } else {
       try {
-        add_file(found(argument), {});
+        add_file(files::file_or_bundled(argument, command::bundled_folder("specs")).string(), {});
       } catch (const InputError&) {
         inputs_.push_back({argument, argument, std::current_exception()});
       }
@@ -107,27 +107,6 @@ class InputList {
   }
 
  private:
-  /// A file, or else the spec of a bundled light of that name.
-  static std::string found(const std::string& argument) {
-    std::error_code error;
-    if (fs::exists(argument, error) || fs::path(argument).has_parent_path()) return argument;
-    const fs::path folder = command::bundled_folder("specs");
-    const fs::path bundled = folder / (argument + ".json");
-    if (fs::exists(bundled, error)) return bundled.string();
-    if (fs::path(argument).has_extension()) return argument;
-    throw InputError({.file = argument}, "must be a file or a bundled light" + hint_for_bundled(argument, folder));
-  }
-
-  static std::string hint_for_bundled(const std::string& argument, const fs::path& folder) {
-    std::vector<std::string> names;
-    std::error_code error;
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
-      names.push_back(entry.path().stem().string());
-    }
-    std::ranges::sort(names);
-    return files::hint_for_word(argument, {names.begin(), names.end()});
-  }
-
   static std::string name_of(fs::path path) {
     std::string name = path.replace_extension().string();
     std::ranges::replace(name, '/', '-');

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <iterator>
 #include <memory>
 #include <optional>
@@ -11,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "command/bundled_data.h"
 #include "command/command.h"
 #include "command/number.h"
 #include "command/option_rule.h"
@@ -19,6 +21,7 @@
 #include "command/runway_lights.h"
 #include "command/table.h"
 #include "command/uncaught.h"
+#include "files/bundled_name.h"
 #include "files/hint.h"
 #include "files/json_text.h"
 #include "litfog/airlight.h"
@@ -93,7 +96,10 @@ std::vector<Light> lights_of(const Options& options) {
   if (options.light_files.empty()) {
     lights.emplace_back().attenuation = options.attenuation;
   } else {
-    std::transform(options.light_files.begin(), options.light_files.end(), std::back_inserter(lights), read_light);
+    const std::filesystem::path folder = bundled_folder("lights");
+    for (const std::string& given : options.light_files) {
+      lights.push_back(read_light(files::file_or_bundled(given, folder).string()));
+    }
   }
   if (options.threshold) {
     for (Light& light : lights) light.threshold = *options.threshold;
@@ -386,7 +392,9 @@ int main(int argc, char** argv) {
   add_number(app, "--linear", options.attenuation.linear, kFiniteNotNegative, "Its linear term in 1/m, 0 if not given");
   add_number(app, "--quadratic", options.attenuation.quadratic, kFiniteNotNegative,
              "Its quadratic term in 1/m^2, 0 if not given");
-  app.add_option("--light", options.light_files, "Light files instead of these three; one row each")->type_name("FILE");
+  app.add_option("--light", options.light_files,
+                 "Light files, or bundled lights such as landing-lamp, instead of these three; one row each")
+      ->type_name("FILE|NAME");
   double threshold = 0;
   add_number(app, "--threshold", threshold, kOpenUnitInterval,
              "Attenuation at which a light ends; the light's own or 0.05 if not given");

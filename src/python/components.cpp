@@ -12,7 +12,7 @@
 #include <variant>
 #include <vector>
 
-#include "files/hint.h"
+#include "files/bundled_name.h"
 #include "litfog/files/light_file.h"
 #include "litfog/files/output_error.h"
 #include "litfog/fit/attenuation_fit.h"
@@ -52,19 +52,8 @@ std::vector<std::string> lines_of(const Source& source) {
   return line ? std::vector{*line} : std::get<std::vector<std::string>>(source);
 }
 
-/// The file of a light: the path itself, or a bundled light's if it is a bare name and no file.
 Path light_path(const Path& given) {
-  if (given.has_parent_path() || given.has_extension() || std::filesystem::exists(given)) return given;
-  const Path folder = py::module_::import("litfog").attr("data_dir").cast<Path>() / "lights";
-  const Path bundled = folder / (given.string() + ".json");
-  if (std::filesystem::exists(bundled)) return bundled;
-  std::vector<std::string> names;
-  std::error_code error;
-  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    names.push_back(entry.path().stem().string());
-  }
-  throw InputError({.file = given.string()}, "must be a file or a bundled light" +
-                                                 files::hint_for_word(given.string(), {names.begin(), names.end()}));
+  return files::file_or_bundled(given, py::module_::import("litfog").attr("data_dir").cast<Path>() / "lights");
 }
 
 void bind_files(py::module_& m) {

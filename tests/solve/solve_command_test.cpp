@@ -294,6 +294,8 @@ TEST_F(SolveCommand, WrongLightFilesAreBadInputAndNothingIsPrinted) {
                "empty.json:1:1: end of file: must be an object, an array, a string, a number, true, false or null\n");
   EXPECT_ERROR(run("--density 1 --light absent.json"), kBadInput,
                "absent.json: cannot be read: No such file or directory\n");
+  EXPECT_ERROR(run("--density 1 --light landing-lmp"), kBadInput,
+               "landing-lmp: must be a file or a bundled light; did you mean landing-lamp?\n");
   EXPECT_ERROR(run("--density 1 --light ."), kBadInput, ".: cannot be read: Is a directory\n");
 }
 

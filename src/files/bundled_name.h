@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <filesystem>
+
+namespace litfog::files {
+
+/// The file that a user names: a path, or the name of a bundled JSON file of that folder, such as landing-lamp, where
+/// there is no such file. Throws InputError, with what the name may have meant, for a bare name of neither.
+std::filesystem::path file_or_bundled(const std::filesystem::path& given, const std::filesystem::path& folder);
+
+}  // namespace litfog::files

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "files/bundled_name.h"
+
+#include <gtest/gtest.h>
+
+#include "command/temporary_directory.h"
+#include "core/value_errors.h"
+#include "litfog/input_error.h"
+
+namespace litfog::test {
+namespace {
+
+using files::file_or_bundled;
+
+TEST(BundledName, FilesComeFirstThenBundledOnesAndOthersAreNamed) {
+  const TemporaryDirectory directory;
+  const std::filesystem::path folder = directory.path();
+  directory.write("street-lamp.json", "{}");
+  EXPECT_EQ(file_or_bundled("street-lamp", folder), folder / "street-lamp.json");
+  EXPECT_EQ(file_or_bundled(folder, folder), folder) << "it is there";
+  EXPECT_EQ(file_or_bundled("./street-lamp", folder), "./street-lamp") << "a path, which its reader reports";
+  EXPECT_EQ(file_or_bundled("lamp.ies", folder), "lamp.ies");
+  EXPECT_EQ(sentence_of<InputError>([&] { file_or_bundled("street-lmp", folder); }),
+            "street-lmp: must be a file or a bundled light; did you mean street-lamp?");
+}
+
+}  // namespace
+}  // namespace litfog::test
