@@ -109,8 +109,8 @@ its shape as a cube map.
 A beam may have a hot spot in a wide spill; one cone then leaves out much of the flux. --spill fits two cones about the
 axis, whose sum is nearest to the beam, and writes two lights: put both at the lamp's position.
 
-An isocandela table is CSV with commas, or with semicolons and decimal commas; lines with # are comments. It is a grid
-of candela, with degrees to the right and above,
+An isocandela table is CSV with commas, or with semicolons and decimal commas; lines with # are comments, of which the
+first names the light. It is a grid of candela, with degrees to the right and above,
   vertical_deg,-10,-5,0,5,10
   5,300,1200,2000,1200,300
   0,400,1500,2500,1500,400

@@ -24,6 +24,8 @@ constexpr std::string_view kEllipses = "candela,horizontal_deg,vertical_deg";
 constexpr std::string_view kHeaderRule =
     "must be vertical_deg and the horizontal angles, or candela,horizontal_deg,vertical_deg, with commas or semicolons "
     "between";
+constexpr std::string_view kPointRule =
+    "must have no point, which may be between thousands; after a decimal point, write more or fewer than three digits";
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr std::size_t kMaxCells = 1000;  // per row
 
@@ -62,20 +64,34 @@ std::string header_of(std::string_view text) {
   return header;
 }
 
-bool has_comma(std::string_view text) {
-  bool is_found = false;
-  for_each_line(text, [&is_found](std::string_view line) {
-    is_found = line.find(',') != line.npos;
-    return !is_found;
-  });
-  return is_found;
+/// "1.200" and "-1.234.567", but not "1.25" or "0.125": points that may stand between thousands.
+bool may_have_thousands(std::string_view number) {
+  constexpr std::string_view kDigits = "0123456789";
+  number.remove_prefix(std::min(number.find_first_of("123456789"), number.size()));
+  const std::size_t point = std::min(number.find_first_not_of(kDigits), number.size());
+  if (point < 1 || point > 3 || point == number.size()) return false;
+  number.remove_prefix(point);
+  while (number.starts_with('.') && std::min(number.find_first_not_of(kDigits, 1), number.size()) == 4) {
+    number.remove_prefix(4);
+  }
+  return number.empty();
 }
 
-/// "1.200" and "-12.000", but not "1.25" or "0.125": a point that may stand between thousands.
-bool may_have_thousands(std::string_view number) {
-  number.remove_prefix(std::min(number.find_first_of("123456789"), number.size()));
-  const std::size_t point = number.find('.');
-  return point != number.npos && point >= 1 && point <= 3 && number.size() - point == 4;
+/// Whether the points in a table with semicolons are decimal: one cannot stand between thousands, and there is no
+/// comma.
+bool has_decimal_points(std::string_view text) {
+  bool has_comma = false, has_decimal = false;
+  for_each_line(text, [&](std::string_view line) {
+    has_comma = line.find(',') != line.npos;
+    while (!has_decimal && line.find('.') != line.npos) {
+      const std::size_t end = std::min(line.find_first_of(";\""), line.size());
+      const std::string_view cell = trimmed(line.substr(0, end));
+      has_decimal = cell.find('.') != cell.npos && !may_have_thousands(cell);
+      line.remove_prefix(std::min(end + 1, line.size()));
+    }
+    return !has_comma;
+  });
+  return has_decimal && !has_comma;
 }
 
 struct Cell {
@@ -104,7 +120,7 @@ class Rows {
       : text_(lines_of(std::move(bytes))),
         header_(trimmed(header_line(text_))),
         separator_(header_.find(';') == std::string::npos ? ',' : ';'),
-        has_decimal_commas_(separator_ == ';' && has_comma(text_)),
+        has_decimal_points_(separator_ == ',' || has_decimal_points(text_)),
         file_(fmemopen(text_.data(), text_.size(), "r"), std::fclose),
         reader_(file_.get(), name, separator_) {}
 
@@ -143,8 +159,8 @@ class Rows {
     if (separator_ == ',' && has_comma) {
       fail(cell, what, "must have a decimal point where commas are between cells");
     }
-    if (has_decimal_commas_ && may_have_thousands(has_comma ? cell.text.substr(0, cell.text.find(',')) : cell.text)) {
-      fail(cell, what, "must have no point, which may be between thousands where other cells have decimal commas");
+    if (!has_decimal_points_ && may_have_thousands(cell.text.substr(0, cell.text.find(',')))) {
+      fail(cell, what, kPointRule);
     }
     const auto number = TextScanner::number_if_any({cell.text, 0});
     if (!number) fail(cell, what, "must be a finite number");
@@ -167,7 +183,7 @@ class Rows {
   std::string text_;
   std::string header_;
   char separator_;
-  bool has_decimal_commas_;
+  bool has_decimal_points_;
   std::unique_ptr<std::FILE, int (*)(std::FILE*)> file_;
   CsvReader reader_;
   CsvRecord record_;

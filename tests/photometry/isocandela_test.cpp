@@ -61,8 +61,10 @@ TEST(Isocandela, TablesOfSpreadsheetsAreReadAsThoseByHand) {
   EXPECT_TRUE(is_isocandela("\"candela\";\"horizontal_deg\";\"vertical_deg\"\n"));
 }
 
-TEST(Isocandela, PointsThatMayBeBetweenThousandsAreRefusedBesideDecimalCommas) {
-  const std::string rule = ": must have no point, which may be between thousands where other cells have decimal commas";
+TEST(Isocandela, PointsThatMayBeBetweenThousandsAreRefusedUnlessAnotherIsDecimal) {
+  const std::string rule =
+      ": must have no point, which may be between thousands; after a decimal point, write more or fewer than three "
+      "digits";
   const std::string header = "# left, \nvertical_deg;-2,5;0\n";
   EXPECT_EQ(error_of(header + "0;1.200;3\n1;2;3\n"), "3:3: candela = 1.200" + rule);
   EXPECT_EQ(error_of("vertical_deg;-2;0\n0;-12.000;3\n1;2,5;3\n"), "2:3: candela = -12.000" + rule);
@@ -70,7 +72,17 @@ TEST(Isocandela, PointsThatMayBeBetweenThousandsAreRefusedBesideDecimalCommas) {
   for (const char* decimal : {"1.2", "1.25", "0.125", "1200.125", "1.2000"}) {
     EXPECT_EQ(parse(header + "0;" + decimal + ";3000\n1;2;3\n").distribution.intensity[0], std::stod(decimal));
   }
-  EXPECT_EQ(parse("# left, \nvertical_deg;-2.500;0\n0;1.200;3\n1;2;3\n").distribution.intensity[0], 1.2);
+  EXPECT_EQ(error_of(header + "0;0.5;3\n1;1.200;3\n"), "4:3: candela = 1.200" + rule) << "both kinds of decimals";
+  const std::string plain = "# 2,5 and 0.5\nvertical_deg;-2;0\n";
+  EXPECT_EQ(error_of(plain + "0;1.200;2.500\n1;2;3\n"), "3:3: candela = 1.200" + rule);
+  EXPECT_EQ(error_of(plain + "0;2000;3\n1;2;\"1.200\"\n"), "4:5: candela = 1.200" + rule);
+  EXPECT_EQ(error_of(plain + "0;1.234.567;3\n1;2;3\n"), "3:3: candela = 1.234.567" + rule);
+  EXPECT_EQ(error_of("vertical_deg;-2.500;0\n0;1;2\n1;2;3\n"), "1:14: horizontal angle = -2.500" + rule);
+  for (const char* decimal : {"0.5", "12.25", "0.125", "\" 1200.125\"", "1.2e3", ".500"}) {
+    EXPECT_EQ(parse(plain + "0;1.200;3\n1;2;" + decimal + "\n").distribution.intensity[0], 1.2) << decimal;
+  }
+  EXPECT_EQ(error_of(plain + "0;1.234.567;0.5\n1;2;3\n"), "3:3: candela = 1.234.567: must be a finite number");
+  EXPECT_EQ(parse("vertical_deg,-2,0\n0,1.200,3\n1,2,3\n").distribution.intensity[0], 1.2);
 }
 
 TEST(Isocandela, EllipsesAreReadAsDrawn) {

@@ -10,8 +10,9 @@ namespace litfog {
 
 // clang-format off
 /// Isocandela tables: CSV with commas and decimal points, or with semicolons and decimal points or commas; cells may be
-/// in quotes. Lines that begin with # are comments; the first is the light's name. The light's axis is at 0, 0.
-/// The header says which kind of table it is.
+/// in quotes. With semicolons, 1.200 is an error, because it may mean thousands, unless no cell has a comma and another
+/// has a point that can only be decimal, as in 0.5. Lines that begin with # are comments; the first is the light's
+/// name. The light's axis is at 0, 0. The header says which kind of table it is.
 ///
 /// A grid's header has horizontal angles, to the right of the axis. Each row has a vertical angle, above the axis, and
 /// the candela there. Angles are degrees of type A (litfog/photometry/intensity_distribution.h). The horizontal angles
