@@ -89,7 +89,7 @@ void OutputFiles::expect_no_documents() const {
   for (const auto& [file, output] : by_path_) {
     const auto document = replaced_document(output.path);
     if (!document) continue;
-    throw OutputError(fmt::format("{}: cannot be written: is there, and is a litfog document, a {}", output.path,
+    throw OutputError(fmt::format("{}: cannot be written: exists, and is a litfog document, a {}", output.path,
                                   document->member("litfog").string()));
   }
 }
@@ -99,7 +99,7 @@ void expect_fitted_light_or_nothing(const std::string& path) {
   const auto document = replaced_document(path);
   if (document && document->member("litfog").string() == "light" && document->optional("fit")) return;
   throw OutputError(fmt::format(
-      "{}: cannot be written: is there, and is no light that litfog-fit has written; --force replaces it", path));
+      "{}: cannot be written: exists, and is no light that litfog-fit has written; --force replaces it", path));
 }
 
 void expect_picture_or_nothing(const std::string& path) {
@@ -110,7 +110,7 @@ void expect_picture_or_nothing(const std::string& path) {
                                              : start.starts_with("\x89PNG");
   if (is_picture) return;
   throw OutputError(
-      fmt::format("{}: cannot be written: is there, and is no {} file; --force replaces it", path, ending.substr(1)));
+      fmt::format("{}: cannot be written: exists, and is no {} file; --force replaces it", path, ending.substr(1)));
 }
 
 }  // namespace litfog::command

@@ -151,12 +151,12 @@ Catalogue::Catalogue(const std::string& folder, const std::vector<Input>& inputs
   const std::string page = (folder_ / kPage).string();
   const bool is_ours = is_own_page(page);
   if (!is_ours && fs::exists(page, error)) {
-    throw OutputError(fmt::format("{}: cannot be written: is there, and is no catalogue's page", page));
+    throw OutputError(fmt::format("{}: cannot be written: exists, and is no catalogue's page", page));
   }
   for (const Input& input : inputs) {
     for (const char* ending : kEndings) {
       if (is_ours || input.error || !fs::exists(file_of(input, ending), error)) continue;
-      throw OutputError(fmt::format("{}: cannot be written: is there, and {} has no catalogue's page",
+      throw OutputError(fmt::format("{}: cannot be written: exists, and {} has no catalogue's page",
                                     file_of(input, ending), folder));
     }
   }

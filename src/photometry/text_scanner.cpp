@@ -132,6 +132,7 @@ InputLocation TextScanner::location(const Piece& piece) const {
 }
 
 void TextScanner::fail(const Piece& piece, std::string_view what, std::string_view rule) const {
+  if (piece.is_missing) throw InputError(location(piece), what, "", "must be given, but the file ends here");
   if (piece.text.empty()) throw InputError(location(piece), what, "", "must be given");
   throw InputError(location(piece), what, excerpt(piece.text), rule);
 }

@@ -52,7 +52,7 @@ class TextScanner {
   void expect_no_more_numbers();
 
   InputLocation location(const Piece& piece) const;
-  /// "what = value: rule", or "what: must be given" for a missing piece.
+  /// "what = value: rule"; "what: must be given" for an empty piece, and that the file ends there for a missing one.
   [[noreturn]] void fail(const Piece& piece, std::string_view what, std::string_view rule) const;
 
  private:

@@ -96,7 +96,7 @@ TEST_F(OutputFilesTest, DocumentsThatPeopleWriteAreNotReplaced) {
     OutputFiles outputs;
     outputs.add("--stats", path("stats.json"));
     EXPECT_EQ(sentence_of<OutputError>([&] { outputs.expect_no_documents(); }),
-              path("stats.json") + ": cannot be written: is there, and is a litfog document, a " + kind);
+              path("stats.json") + ": cannot be written: exists, and is a litfog document, a " + kind);
   }
   for (const char* text : {"", "text", "{\"frames\": 3}", "[]", "{\"litfog\": 1}"}) {
     std::ofstream(path("stats.json")) << text;

@@ -591,7 +591,7 @@ TEST_F(FitCommand, OutputThatReplacesAnInputOrAnotherOutputIsAnErrorBeforeAnythi
 
 TEST_F(FitCommand, OutputReplacesNothingButALightThatWasFitted) {
   const std::string reason =
-      ": cannot be written: is there, and is no light that litfog-fit has written; --force replaces it";
+      ": cannot be written: exists, and is no light that litfog-fit has written; --force replaces it";
   const std::string by_hand = R"({"litfog": "light", "version": 1, "attenuation": {"constant": 1}})";
   for (const std::string& text : {std::string(kBeam), std::string(kIes), by_hand, std::string("{\"litfog\": \"light"),
                                   std::string(R"({"litfog": "scene", "version": 1, "fit": {}})")}) {
@@ -628,7 +628,7 @@ TEST_F(FitCommand, PictureReplacesNothingButAPictureOfItsKind) {
     const auto is_holiday = [&, name = name] { return read(name) == "holiday"; };
     write(name, "holiday");
     EXPECT_ERROR(run(arguments), kCannotWrite,
-                 std::string("litfog-fit: ") + name + ": cannot be written: is there, and is no " +
+                 std::string("litfog-fit: ") + name + ": cannot be written: exists, and is no " +
                      std::string(name).substr(2) + " file; --force replaces it\n");
     EXPECT_TRUE(is_holiday());
     EXPECT_EQ(run(arguments + " --force").status, kDone);
@@ -1234,7 +1234,7 @@ TEST_F(FitCommand, CatalogueHasAPageWithEachLightAndItsPictures) {
        {"<h1>2 lights of 3 files</h1>", "&lt;b&gt;&amp;", "href=\"lamps/a%20b.json\"", "src=\"lamps/a%20b.svg\"",
         "src=\"lamps/a%20b.png\"", "src=\"lamps/lamp.svg\"",
         "<td><img loading=\"lazy\" alt=\"\" src=\"lamps/lamp.png\"></td>", "<td data-value=\"100\">100</td>",
-        "<td>no light</td>", "<p class=\"poor\">bad.ies:1:2: TILT: must be given</p>"}) {
+        "<td>no light</td>", "<p class=\"poor\">bad.ies:1:2: TILT: must be given, but the file ends here</p>"}) {
     EXPECT_TRUE(has(page, part));
   }
   for (const char* part : {"<script src", "http:", "https:", "//", "<b>"}) {
@@ -1300,11 +1300,11 @@ TEST_F(FitCommand, CatalogueReplacesNoFilesButItsOwn) {
     EXPECT_EQ(files(), before);
   };
   run("--version");  // makes the files of its own output
-  expect_refusal("cat/lamps/spot.png", "is there, and cat has no catalogue's page");
+  expect_refusal("cat/lamps/spot.png", "exists, and cat has no catalogue's page");
   EXPECT_EQ(read("cat/lamps/spot.png"), "holiday");
   fs::remove(directory() / "cat/lamps/spot.png");
   write("cat/index.html", "<!DOCTYPE html>\n<p>holiday");
-  expect_refusal("cat/index.html", "is there, and is no catalogue's page");
+  expect_refusal("cat/index.html", "exists, and is no catalogue's page");
   fs::remove(directory() / "cat/index.html");
   EXPECT_EQ(run("beam.json spot.ies --catalogue cat").status, kDone);
   EXPECT_EQ(run("spot.ies --catalogue cat").status, kDone) << "its own files";

@@ -208,7 +208,12 @@ TEST(Eulumdat, PlanesThatDoNotFitTheSymmetryAreAnError) {
 TEST(Eulumdat, MissingPlaneIsAnError) {
   std::string text = bytes_of(std::string(LITFOG_PHOTOMETRY_DIR) + "/isym_0.ldt");
   for (int line = 0; line < 4; ++line) text.erase(text.rfind('\n', text.size() - 2) + 1);
-  EXPECT_NE(photometry_error_of([&] { parse(text); }).find("intensity 29 of 32: must be given"), std::string::npos);
+  EXPECT_NE(photometry_error_of([&] { parse(text); }).find("intensity 29 of 32: must be given, but the file ends here"),
+            std::string::npos);
+  EulumdatText cut;
+  cut.lines.resize(42);
+  EXPECT_EQ(photometry_error_of([&] { parse(cut.str()); }),
+            "43:1: C plane 1 of 1: must be given, but the file ends here");
 }
 
 TEST(Eulumdat, EveryMutationIsReadOrAnError) {

@@ -467,18 +467,18 @@ TEST(Ies, CountBeyondTheFileIsAnError) {
   EXPECT_EQ(error_of(&IesText::counts, "-3 2 "),
             "4:10: number of vertical angles = -3: must be an integer from 2 to 10000");
   EXPECT_EQ(error_of(&IesText::intensities, "100 50 0\n"),
-            "9:1: intensity 4 of 6: must be given");  // a plane missing
+            "9:1: intensity 4 of 6: must be given, but the file ends here");  // a plane missing
   EXPECT_EQ(error_of(&IesText::horizontal, ""),
             "7:5: horizontal angle 2 of 2 = 50: must be greater than the one before, 100");
 }
 
 TEST(Ies, TextOfAnotherKindIsAnError) {
-  EXPECT_EQ(error_of(""), "1:1: TILT: must be given");
-  EXPECT_EQ(error_of("IESNA:LM-63-2002\n[TEST] 1\n"), "3:1: TILT: must be given");
+  EXPECT_EQ(error_of(""), "1:1: TILT: must be given, but the file ends here");
+  EXPECT_EQ(error_of("IESNA:LM-63-2002\n[TEST] 1\n"), "3:1: TILT: must be given, but the file ends here");
   EXPECT_EQ(error_of("IESNA:LM-63-2002\n [LUMINAIRE] a Tilt=NONE \n1 1"),
             "2:2: line with TILT = [LUMINAIRE] a Tilt=NONE: must begin with TILT=");
   EXPECT_EQ(error_of("IESNA:LM-63-2002\r\nTILT:NONE\r\n"), "2:1: line with TILT = TILT:NONE: must begin with TILT=");
-  EXPECT_EQ(error_of("IESNA:LM-63-2002\nTILT=NONE"), "2:10: number of lamps: must be given");
+  EXPECT_EQ(error_of("IESNA:LM-63-2002\nTILT=NONE"), "2:10: number of lamps: must be given, but the file ends here");
   EXPECT_EQ(error_of(std::string("TILT=NONE\n\0\0 1", 14)), "2:1: number of lamps = ??: must be a finite number");
 }
 
@@ -500,11 +500,13 @@ TEST(Ies, LongValueIsCutInMessages) {
 
 TEST(Ies, HostileTextTakesLinearTime) {
   const std::size_t kMany = 4'000'000;  // time that grows with the square would not end here
-  EXPECT_EQ(error_of(std::string(kMany, '\r')), std::to_string(kMany + 1) + ":1: TILT: must be given");
+  EXPECT_EQ(error_of(std::string(kMany, '\r')),
+            std::to_string(kMany + 1) + ":1: TILT: must be given, but the file ends here");
   std::string more = "IESNA91\n[LUMINAIRE] x\n";
   while (more.size() < kMany) more += "[MORE] y\n[A" + std::to_string(more.size()) + "]\n";
   EXPECT_NE(error_of(more).find("TILT: must be given"), std::string::npos);
-  EXPECT_EQ(error_of("TILT=NONE\n" + std::string(kMany, ',')), "2:4000001: number of lamps: must be given");
+  EXPECT_EQ(error_of("TILT=NONE\n" + std::string(kMany, ',')),
+            "2:4000001: number of lamps: must be given, but the file ends here");
   EXPECT_EQ(error_of("TILT=NONE\n1 1 " + std::string(kMany, '1')),
             "2:5: candela multiplier = " + std::string(40, '1') + "...: must be a finite number");
   std::string zeros = "TILT=NONE\n1 1 1 10000 10000 1 1 0 0 0 1 1 1 ";
@@ -544,8 +546,8 @@ TEST_F(LuminaireFile, FormatIsKnownByContentThenByEnding) {
   std::string company = bytes_of(ours + "/isym_4.ldt");
   company.replace(0, company.find_first_of("\r\n"), "IESA Leuchten GmbH");
   EXPECT_EQ(read("f.ldt", company).manufacturer, "IESA Leuchten GmbH");
-  EXPECT_EQ(error_of("d.Ies", "x\n"), "2:1: TILT: must be given");
-  EXPECT_EQ(error_of("e.ldt", "x\n"), "2:1: type indicator Ityp: must be given");
+  EXPECT_EQ(error_of("d.Ies", "x\n"), "2:1: TILT: must be given, but the file ends here");
+  EXPECT_EQ(error_of("e.ldt", "x\n"), "2:1: type indicator Ityp: must be given, but the file ends here");
 }
 
 TEST_F(LuminaireFile, FileOfAnotherKindIsNoPhotometricFile) {

@@ -126,7 +126,7 @@ class CatalogueTest(Catalogue, unittest.TestCase):
         good = [row[0] for row in rows if row[-1] != "error"]
         self.assertEqual(sorted(lights), sorted(str(pathlib.Path(name).with_suffix(".json")) for name in good))
         self.assertEqual([row[-1] for row in rows if row[0] == "bad.ies"], ["error"])
-        self.assertIn("bad.ies:1:8: TILT: must be given", messages)
+        self.assertIn("bad.ies:1:8: TILT: must be given, but the file ends here", messages)
         self.assertTrue(any(message.startswith("a maker, and/b/tilt_file.ies:5:6: TILT") for message in messages))
 
     def test_program_gives_what_the_command_gives(self):
