@@ -13,6 +13,7 @@
 #include "files/angle_deg.h"
 #include "fit/two_lights.h"
 #include "litfog/color_temperature.h"
+#include "photometry/darkness.h"
 #include "text/shown_number.h"
 
 namespace litfog::fit {
@@ -76,6 +77,32 @@ void advise_on_contours(const LightTarget& target, Advice& advice) {
       "{} cd is what the inner ellipse states. A standard's are minima, and the lamp may be brighter: a spec's "
       "range.peak_cd states its own peak.",
       shown_number(target.luminaire_peak.intensity));
+}
+
+/// A file that ends where its beam is bright: the light's beam is cut there. An ellipse is a line that is drawn.
+void advise_on_cut(const LightTarget& target, Advice& advice) {
+  constexpr double kBright = 0.1;  // of the peak, at which the wider of the two angles is reported
+  if (!target.luminaire) return;
+  const auto& [type, horizontal, vertical, intensity] = target.luminaire->distribution;
+  if (target.luminaire->is_isocandela && type == PhotometryType::c) return;
+  double brightest = 0;
+  for (std::size_t h = 0; h < horizontal.size(); ++h) {
+    for (std::size_t v = 0; v < vertical.size(); ++v) {
+      const double candela = intensity[h * vertical.size() + v];
+      const bool is_inside = h > 0 && h + 1 < horizontal.size() && v > 0 && v + 1 < vertical.size();
+      if (is_inside || candela <= brightest) continue;
+      for (const auto& [right, up] : {std::pair(-kDarkEdge, 0.), {kDarkEdge, 0.}, {0., -kDarkEdge}, {0., kDarkEdge}}) {
+        const glm::dvec3 beyond = direction_of(type, horizontal[h] + right, vertical[v] + up);
+        if (intensity_at(target.luminaire->distribution, beyond) == 0) brightest = candela;
+      }
+    }
+  }
+  const double level = brightest / target.luminaire_peak.intensity;
+  if (level <= kBright) return;
+  advice.add(
+      "The file ends where the beam has {} of its peak, and the light is dark beyond: the angles at {}10 % may be "
+      "those of the file's end. If the lamp is lit beyond, give its intensities there.",
+      percent(level, 2), level > 0.5 ? "50 % and " : "");
 }
 
 void advise_on_source_radius(const LightFit& fit, Advice& advice) {
@@ -196,16 +223,21 @@ void advise_on_flux(const LightFit& fit, Advice& advice) {
     return std::abs(each.flux_error.value_or(std::numeric_limits<double>::infinity()));
   });
   const bool is_other_nearer = std::abs(*nearest->flux_error) < 0.5 * std::abs(*error);
-  advice.add("The cone's flux is off by {:+.0f} %{}{}.", 100 * *error,
-             *error < 0 ? ": it leaves out much of the beam's spill" : "",
+  constexpr double kNearlyDark = -0.9;  // error of the flux, and of the intensity where the beam is brightest
+  const bool is_dark = *error < kNearlyDark && fit.peak_error && *fit.peak_error < kNearlyDark;
+  advice.add("{}{}.",
+             is_dark
+                 ? fmt::format("The light is nearly dark: its cone has {} of the beam's flux", percent(1 + *error, 2))
+                 : fmt::format("The cone's flux is off by {:+.0f} %{}", 100 * *error,
+                               *error < 0 ? ": it leaves out much of the beam's spill" : ""),
              is_other_nearer ? fmt::format(". Of --profile {} it is off by {:+.0f} %",
                                            facts_of(nearest->cone.profile).name, 100 * *nearest->flux_error)
                              : "");
   const auto two = *error < 0 ? fit_two_lights(fit) : std::nullopt;
   if (!two || !are_worthwhile(*two, fit)) return;
   advice.add(
-      "--spill writes a second light for it. Both have {} of the file's {} lm, and are off by {} of the beam (rms) in "
-      "place of {}.",
+      "--spill writes a second light for the rest. Both have {} of the file's {} lm, and are off by {} of the beam "
+      "(rms) in place of {}.",
       shown_rounded(*two->beam.flux, 4), shown_rounded(luminous_flux(fit.target.luminaire->distribution), 4),
       percent(two->beam_error, 2), percent(*fit.beam_error(), 2));
 }
@@ -243,8 +275,7 @@ void advise_on_cookie(const Trials& trials, Advice& advice) {
   const std::string shape =
       ring ? fmt::format("The beam is a ring, brightest {} degrees off the axis", shown_angle(*ring))
            : std::string("The beam is not rotationally symmetric");
-  advice.add("{}: the cone is off by {} of it (rms). --cookie keeps its shape, and is off by {}.", shape,
-             percent(error, 2), percent(left, 2));
+  advice.add("{}: --cookie keeps its shape, and is off by {} of it (rms).", shape, percent(left, 2));
 }
 
 void advise_on_axis(const Trials& trials, Advice& advice) {
@@ -278,6 +309,7 @@ std::vector<std::string> advice_on(const LightFit& fit, const std::optional<TwoL
   const Trials trials{fit, choices, read};
   Advice advice;
   advise_on_contours(fit.target, advice);
+  advise_on_cut(fit.target, advice);
   advise_on_color(fit.target.color, advice);
   advise_on_luminance(fit.target, advice);
   advise_on_illuminance(fit.target, advice);

@@ -187,8 +187,8 @@ void add_cone(Sheet& sheet, const ConeTarget& target, const ConeFit& fit) {
   });
 }
 
-/// The light's illuminance: where the beam is brightest beside what is stated, else on the axis beside its peak's by
-/// the inverse square.
+/// The light's illuminance_at(): where the beam is brightest beside what is stated, else on the axis beside its peak's
+/// by the inverse square.
 void add_illuminance(Sheet& sheet, const LightFit& fit) {
   const LightTarget& target = fit.target;
   std::map<double, std::optional<double>> data_at;
@@ -197,7 +197,9 @@ void add_illuminance(Sheet& sheet, const LightFit& fit) {
     data_at[range] = has_data ? std::optional(*target.light_peak / (range * range)) : std::nullopt;
   }
   for (const auto& [range, lux] : target.illuminance) data_at[range] = lux;
-  sheet.add_heading("Illuminance");
+  const bool is_clamped = fit.light.source_radius == 0;
+  sheet.add_heading(fmt::format("Illuminance{}, as pictures by airlight show it",
+                                is_clamped ? "" : " without the attenuation's clamp at 1"));
   command::Table table{.columns = {"range_m", "light_lx"}};
   if (target.light_peak) table.columns.insert(table.columns.end(), {"data_lx", "error_%"});
   const double angle = target.illuminance.empty() || fit.cookie ? 0 : fit.peak_angle;
@@ -275,12 +277,22 @@ std::string shown_part(const LightFit& fit) {
                      shown(beam.beam_angle), shown(beam.field_angle), shown_extent(fit));
 }
 
+/// The luminaire's candela on the axis if its beam is brighter elsewhere. A cone has its peak there.
+std::optional<double> dimmer_axis(const LightFit& fit) {
+  if (!fit.target.luminaire || fit.cookie) return std::nullopt;
+  const auto& samples = fit.target.cone->samples;
+  const double axis = samples.front().intensity;
+  return axis < (1 - kGood.peak) * peak_of(samples) ? std::optional(axis) : std::nullopt;
+}
+
 /// How far the light, or both, are from what was measured.
 std::string errors_of(const Outcome& outcome) {
   const LightFit& fit = *outcome.fit;
   std::vector<std::string> errors;
   if (const auto error = outcome.two ? outcome.two->beam_error : fit.beam_error()) {
-    errors.push_back(fmt::format("{} of the beam (rms)", shown_rounded(percent_of(*error), 3) + " %"));
+    errors.push_back(fmt::format(
+        "{} % of the beam (rms){}", shown_rounded(percent_of(*error), 3),
+        outcome.two || fit.cookie ? "" : ", asymmetry and cone together; the verdict judges each by itself"));
   } else if (fit.cone) {
     errors.push_back(fmt::format("{} % of the peak (rms)", shown_rounded(percent_of(fit.cone->best().rms), 3)));
   }
@@ -304,6 +316,9 @@ std::string format_report(const Outcome& outcome) {
   text += fmt::format("  {}: {}\n", name_of(outcome.verdict->grade), outcome.verdict->why);
   text += line_of("", "data", outcome.two ? "both lights" : "light", "");
   text += line_of("candela", shown(data.peak), shown(light.peak), change_of(data.peak, light.peak));
+  if (const auto axis = dimmer_axis(fit)) {
+    text += line_of("on the axis, cd", shown(axis), shown(light.peak), change_of(axis, light.peak));
+  }
   text += line_of("lumens", shown(data.flux), shown(light.flux), change_of(data.flux, light.flux));
   text += line_of("50 % angle, deg", shown(data.beam_angle), shown(light.beam_angle),
                   change_of(data.beam_angle, light.beam_angle));

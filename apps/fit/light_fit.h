@@ -56,7 +56,7 @@ struct LightFit {
 /// Metres, of the disc of a luminaire's opening, or the default.
 double unstated_source_radius(const LightTarget& target);
 
-/// Lux of a light, by its cone, on a surface that faces it.
+/// Lux of a light, by its cone, on a surface that faces it, as photometric() gives it.
 ///
 /// range  metres
 /// angle  radians from the axis

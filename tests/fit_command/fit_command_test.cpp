@@ -267,7 +267,10 @@ TEST_F(FitCommand, PhotometricFileIsALight) {
   EXPECT_NEAR(candela(fitted).r, 100, 1e-12);
   EXPECT_EQ(fitted.source_radius, 0.05);
   const std::string report = run("spot.ies").out;
-  EXPECT_TRUE(has(report, "The beam is not rotationally symmetric"));
+  EXPECT_TRUE(has(report, "The beam is not rotationally symmetric: --cookie keeps its shape, and is off by "));
+  const std::string off = " % of the beam (rms)", together = ", asymmetry and cone together; the verdict judges each";
+  EXPECT_TRUE(has(report, off + together));
+  EXPECT_FALSE(has(run("spot.ies --cookie spot.exr --force").out, together)) << "a cookie has no asymmetry";
   const std::string details = run("spot.ies --details").out;
   EXPECT_TRUE(has(details, "down, the photometric axis; the peak is 0 deg off it"));
 }
@@ -687,6 +690,7 @@ TEST_F(FitCommand, ReportHasTheIlluminanceOfTheLightNearAndFar) {
   write_spec("near.json", R"("source_radius_m": 0.5, "range": {"peak_cd": 1000})");
   const std::string report = run("near.json --details").out;
   EXPECT_TRUE(has(report, "  source radius   0.5 m\n"));
+  EXPECT_TRUE(has(report, "\nIlluminance without the attenuation's clamp at 1, as pictures by airlight show it\n"));
   std::istringstream rows(report.substr(report.find("range_m")));
   std::string columns;
   std::getline(rows, columns);
@@ -701,6 +705,10 @@ TEST_F(FitCommand, ReportHasTheIlluminanceOfTheLightNearAndFar) {
   }
   write_spec("reach.json", R"("range": {"extent_m": 100})");
   EXPECT_FALSE(has(run("reach.json --details").out, "data_lx")) << "nothing is stated";
+  write_spec("clamped.json", R"("source_radius_m": 0, "range": {"peak_cd": 1000})");
+  const std::string clamped = run("clamped.json --details").out;
+  EXPECT_TRUE(has(clamped, "\nIlluminance, as pictures by airlight show it\n"));
+  EXPECT_FALSE(has(clamped, "without the"));
 }
 
 TEST_F(FitCommand, TableOfIlluminanceIsJudgedByItsLargestError) {
@@ -1161,9 +1169,55 @@ TEST_F(FitCommand, RingIsCalledOneAndNotABeamAimedElsewhere) {
   ring.replace(ring.find("100 50 10 0 0 0"), 15, "20 40 60 100 9 0");
   write("ring.ies", ring);
   const Outcome outcome = run("ring.ies");
+  EXPECT_TRUE(has(outcome.out, "\n  on the axis, cd 20 ")) << outcome.out;
   EXPECT_TRUE(has(outcome.out, "The beam is a ring, brightest 15 degrees off the axis"));
   EXPECT_FALSE(has(outcome.out, "--axis peak"));
   EXPECT_FALSE(has(run("spot.ies").out, "ring"));
+  EXPECT_FALSE(has(run("spot.ies").out, "on the axis"));
+}
+
+TEST_F(FitCommand, AdviceSaysThatARingsLightIsNearlyDark) {
+  write("ring.ies", round_ies("0 10 20 30 40 50 60 65 70 90", "20 21 22 24 28 40 70 100 10 0"));
+  const json report = report_on("ring.ies");
+  const double flux = 100 * (1 + report["light_beam"]["flux_error"].get<double>());
+  ASSERT_LT(flux, 10);
+  const std::string advice = report["advice"].dump();
+  EXPECT_TRUE(has(advice, fmt::format("The light is nearly dark: its cone has {:.2g} % of the beam's flux.", flux)))
+      << advice;
+  ASSERT_TRUE(has(advice, "--spill writes a second light for the rest."));
+  const double both = std::stod(advice.substr(advice.find("Both have ") + 10));
+  run("ring.ies -o light.json --spill spill.json");
+  double written_flux = 0;
+  for (const char* name : {"light.json", "spill.json"}) {
+    const Light part = light(name);
+    written_flux += candela(part).r * flux_within(part.cone, pi);
+  }
+  EXPECT_NEAR(both / written_flux, 1, 1e-3);
+  write("spill.ies", round_ies("0 1 2 10 90", "1000 500 6 5 5"));
+  EXPECT_TRUE(has(run("spill.ies").out, "The cone's flux is off by -")) << "a bright spot with little of the flux";
+}
+
+TEST_F(FitCommand, AdviceSaysThatAFileEndsWhereItsBeamIsBright) {
+  const auto advice_on = [this](const std::string& name, const std::string& text) {
+    write(name, text);
+    return report_on(name)["advice"].dump();
+  };
+  const auto grid = [&](int edge) {
+    return advice_on("grid.csv",
+                     fmt::format("vertical_deg,-5,0,5\n-5,{0},{0},{0}\n0,{0},100,{0}\n5,{0},{0},{0}\n", edge));
+  };
+  EXPECT_TRUE(has(grid(80),
+                  "The file ends where the beam has 80 % of its peak, and the light is dark beyond: the angles "
+                  "at 50 % and 10 % may be those of the file's end."));
+  EXPECT_TRUE(has(grid(40), "has 40 % of its peak, and the light is dark beyond: the angles at 10 % may be"));
+  EXPECT_FALSE(has(grid(10), "The file ends"));
+  EXPECT_TRUE(has(advice_on("mirrored.csv", "vertical_deg,0,5\n0,100,5\n5,70,5\n"), "has 70 % of its peak"));
+  EXPECT_FALSE(has(advice_on("mirrored.csv", "vertical_deg,0,5\n0,100,5\n5,5,5\n"), "The file ends"));
+  EXPECT_TRUE(has(advice_on("lamp.ies", round_ies("0 20 40", "100 90 60")), "has 60 % of its peak"));
+  EXPECT_FALSE(has(advice_on("lamp.ies", round_ies("0 90 180", "100 100 100")), "The file ends"));
+  EXPECT_FALSE(has(advice_on("spot.ies", kIes), "The file ends")) << "a quarter, which is mirrored";
+  EXPECT_FALSE(
+      has(advice_on("ellipse.csv", "candela,horizontal_deg,vertical_deg\n100,5,4\n50,6,5\n"), "The file ends"));
 }
 
 TEST_F(FitCommand, ReportSaysInLinesOf200LettersWhatAChangeImproves) {

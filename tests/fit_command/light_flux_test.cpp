@@ -281,7 +281,7 @@ TEST_F(LightFlux, HotSpotAndSpillAsTwoLightsHaveTheCandelaAndFluxThatOneLacks) {
     text << std::setprecision(digits) << value;
     return text.str();
   };
-  EXPECT_TRUE(has(advice, "--spill writes a second light for it. Both have " +
+  EXPECT_TRUE(has(advice, "--spill writes a second light for the rest. Both have " +
                               shown(two["light_beam"]["flux_lm"].get<double>(), 4) + " of the file's "));
   EXPECT_TRUE(
       has(advice, "off by " + shown(100 * two["light_beam"]["beam_error"].get<double>(), 2) + " % of the beam"));
