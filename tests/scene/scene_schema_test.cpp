@@ -23,7 +23,7 @@ constexpr const char* kScene = R"({"litfog": "scene", "version": 1, "name": "a",
   "visibilities_m": [100, 50], "lit_at_vertices": true, "fog_top_m": 60,
   "atmosphere": {"phase": "hg:0.5", "albedo": 0.9,
                  "layers": [{"base_m": 90, "top_m": 120, "transition_m": 9, "visibility_m": 150}]},
-  "display": {"exposure": "auto", "tone": "clip"}, "phase_g": 0.5,
+  "display": {"exposure": "auto", "tone": "clip"},
   "lights": [{"light": {"attenuation": {"constant": 1}}, "position": [0, 3, 0], "aim": [0, 0, -5], "color": [1, 1, 1],
               "cookie": {"image": "spot.exr", "roll_deg": 9, "spin_deg_per_s": 9}, "turn_deg_per_s": 9, "carried": true,
               "repeat": [{"count": 2, "step": [1, 0, 0]}]},
@@ -94,7 +94,8 @@ TEST_F(SceneSchema, LightsOfACityThatAreOffAreTheReaders) {
       kinds += std::string(", \"") + kind.name + R"(": "lamp.json")";
     }
     return R"({"litfog": "scene", "version": 1, "camera": {"position": [0, 2, 0], "target": [0, 1, -9]}, )"
-           R"("city": {"lights": 1, "without": )" + lights + kinds + "}}";
+           R"("city": {"lights": 1, "without": )" +
+           lights + kinds + "}}";
   };
   for (const char* right : {"[]", "[0, 99999]"}) {
     EXPECT_EQ(schema_.error_of(scene_without(right)), "") << right;
@@ -136,6 +137,14 @@ TEST_F(SceneSchema, SchemaRefusesWhatTheReaderRefusesAndNothingElse) {
                                [&](const char* rule) { return refusal.find(rule) != refusal.npos; });
   };
   EXPECT_GT(expect_same_refusals(schema_, refusal_of_, kScene, is_across_members), 500);
+  const std::string with_phase_g =
+      R"({"litfog": "scene", "version": 1, "camera": {"position": [0, 2, 0], "target": [0, 1, -9]},
+    "phase_g": 0.5, "atmosphere": {"albedo": 1}, "objects": []})";
+  EXPECT_GT(expect_same_refusals(schema_, refusal_of_, with_phase_g, is_across_members), 20);
+  std::string with_both = with_phase_g;
+  with_both.replace(with_both.find("\"albedo\": 1"), 11, "\"phase\": \"hg:0.5\"");
+  EXPECT_NE(schema_.error_of(with_both), "");
+  EXPECT_NE(refusal_of_(with_both), "");
 }
 
 }  // namespace
