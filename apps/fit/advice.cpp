@@ -79,7 +79,8 @@ void advise_on_contours(const LightTarget& target, Advice& advice) {
       shown_number(target.luminaire_peak.intensity));
 }
 
-/// A file that ends where its beam is bright: the light's beam is cut there. An ellipse is a line that is drawn.
+/// A file that ends where its beam is bright: the light's beam is cut there. A table of ellipses ends at its last
+/// contour by design.
 void advise_on_cut(const LightTarget& target, Advice& advice) {
   constexpr double kBright = 0.1;  // of the peak, at which the wider of the two angles is reported
   if (!target.luminaire) return;
@@ -230,7 +231,7 @@ void advise_on_flux(const LightFit& fit, Advice& advice) {
                  ? fmt::format("The light is nearly dark: its cone has {} of the beam's flux", percent(1 + *error, 2))
                  : fmt::format("The cone's flux is off by {:+.0f} %{}", 100 * *error,
                                *error < 0 ? ": it leaves out much of the beam's spill" : ""),
-             is_other_nearer ? fmt::format(". Of --profile {} it is off by {:+.0f} %",
+             is_other_nearer ? fmt::format(". With --profile {} the flux is off by {:+.0f} %",
                                            facts_of(nearest->cone.profile).name, 100 * *nearest->flux_error)
                              : "");
   const auto two = *error < 0 ? fit_two_lights(fit) : std::nullopt;

@@ -198,8 +198,7 @@ void add_illuminance(Sheet& sheet, const LightFit& fit) {
   }
   for (const auto& [range, lux] : target.illuminance) data_at[range] = lux;
   const bool is_clamped = fit.light.source_radius == 0;
-  sheet.add_heading(fmt::format("Illuminance{}, as pictures by airlight show it",
-                                is_clamped ? "" : " without the attenuation's clamp at 1"));
+  sheet.add_heading(fmt::format("Illuminance{}", is_clamped ? "" : " without the attenuation's clamp at 1"));
   command::Table table{.columns = {"range_m", "light_lx"}};
   if (target.light_peak) table.columns.insert(table.columns.end(), {"data_lx", "error_%"});
   const double angle = target.illuminance.empty() || fit.cookie ? 0 : fit.peak_angle;
@@ -290,9 +289,10 @@ std::string errors_of(const Outcome& outcome) {
   const LightFit& fit = *outcome.fit;
   std::vector<std::string> errors;
   if (const auto error = outcome.two ? outcome.two->beam_error : fit.beam_error()) {
-    errors.push_back(fmt::format(
-        "{} % of the beam (rms){}", shown_rounded(percent_of(*error), 3),
-        outcome.two || fit.cookie ? "" : ", asymmetry and cone together; the verdict judges each by itself"));
+    errors.push_back(fmt::format("{} % of the beam (rms){}", shown_rounded(percent_of(*error), 3),
+                                 outcome.two || fit.cookie || fit.target.asymmetry < 0.001
+                                     ? ""
+                                     : ", asymmetry and cone together; the verdict judges each by itself"));
   } else if (fit.cone) {
     errors.push_back(fmt::format("{} % of the peak (rms)", shown_rounded(percent_of(fit.cone->best().rms), 3)));
   }

@@ -42,7 +42,7 @@ constexpr const char* kDescription =
 airlight.
 
   litfog-solve --constant C --linear L --quadratic Q  FOG  [OPTIONS]
-  litfog-solve --light FILE...                        FOG  [OPTIONS]
+  litfog-solve --light FILE|NAME...                   FOG  [OPTIONS]
   litfog-solve --csv FILE|-
 
 FOG is --visibility M[,M...], --rvr M[,M...] or --density D[,D...].
@@ -56,7 +56,7 @@ axis: a(r) integrated over the opacity 1 - f(r). It is never below the intensity
 
 Examples:
   litfog-solve --constant 1 --quadratic 0.0002 --visibility 50,200,1000
-  litfog-solve --light runway-edge.json --rvr 550,300,175,50 --threshold-lx 1e-4
+  litfog-solve --light runway-edge --rvr 550,300,175,50 --threshold-lx 1e-4
   litfog-solve --light landing-lamp.json headlight.json --fog exp2 --density 0.01 --format json
   litfog-solve --csv rows.csv > solved.csv     rows.csv starts: fog,density,constant,linear,quadratic,threshold
 

@@ -186,6 +186,7 @@ void App::take_scene() {
     if (reading.is_again) next.look_as(session_);
     session_ = std::move(next);
     delivery_.reset();
+    picture_.clear();
     ordered_.reset();
     hovered_.reset();
     maker_.reset();  // frees its memory before another takes as much
@@ -331,18 +332,16 @@ void App::draw_status() const {
   const std::size_t which = std::min(session_.edited, delivery_->pictures.size() - 1);
   const DrawnPicture& drawn = delivery_->pictures[which];
   const bool is_whole = delivery_->order.width == picture_.width();
-  const bool is_moved = delivery_->order.camera != session_.camera;
   ImGui::Text("%s ms", fmt::format("{:.0f}", drawn.milliseconds).c_str());
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("A frame of %d x %d pixels on\n%s", delivery_->order.width, delivery_->order.height,
                       maker_->gl_renderer().c_str());
   }
   ImGui::SameLine();
-  ImGui::TextDisabled("%s", has_words                       ? words_.c_str()
-                            : picture_.mouse() && !is_moved ? pixel_in_words(drawn).c_str()
-                                                            : counts_in_words(drawn.counts).c_str());
+  ImGui::TextDisabled("%s", has_words          ? words_.c_str()
+                            : picture_.mouse() ? pixel_in_words(drawn).c_str()
+                                               : counts_in_words(drawn.counts).c_str());
   const std::string sharpness = is_finished()         ? ""
-                                : is_moved            ? "moved"
                                 : delivery_->is_rough ? "without glow at first"
                                 : is_whole            ? "drawing"
                                            : fmt::format("1/{} size", picture_.width() / delivery_->order.width);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <glm/glm.hpp>
 #include <optional>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace litfog::window {
 
-/// How far away points count as that no surface hides, metres.
+/// The distance of the sky, metres.
 inline constexpr double kFarthestSurface = 1e6;
 
 /// Where the points that a moved camera sees lie in the picture drawn before it moved, so that a window can show that

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -282,7 +283,7 @@ void PicturePanel::draw(Session& session, const measure::TriangleTree* surfaces,
 
   draw.PushClipRect(area.corner, area.end(), true);
   std::optional<MovedPicture> moved;
-  if (session.camera != camera_) moved.emplace(camera_, aspect_, session.camera, aspect, surfaces);
+  if (shown_ > 0 && session.camera != camera_) moved.emplace(camera_, aspect_, session.camera, aspect, surfaces);
   const auto draw_picture = [&](const gl::TextureName& texture) {
     if (moved)
       draw_moved(draw, area, texture, *moved);

@@ -15,6 +15,8 @@ class PicturePanel {
  public:
   /// Takes pictures of any size, which are stretched over the panel.
   void show(const Delivery& delivery, bool is_false_colored);
+  /// Shows no picture until the next.
+  void clear() { shown_ = 0; }
 
   /// Applies mouse and keyboard to the session, and draws the pictures over the whole window, moved by MovedPicture if
   /// the camera has moved since they were made.
@@ -36,8 +38,8 @@ class PicturePanel {
 
   std::array<gl::TextureName, 2> textures_;
   std::size_t shown_ = 0;  // number of pictures shown
-  scene::Camera camera_;   // theirs
-  double aspect_ = 1;      // theirs: width / height
+  scene::Camera camera_;   // by which they were drawn
+  double aspect_ = 1;      // their width / height
   std::optional<glm::dvec2> mouse_;
   glm::dvec2 pointed_{0.5};  // the mouse's last position: fractions of the picture
   glm::dvec3 pivot_{0.0};    // a drag orbits about this point

@@ -39,8 +39,8 @@ std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere);
 /// throws  std::invalid_argument naming field, value and rule (find_error, find_scattering_error)
 ScatteringTable make_scattering_table(const Atmosphere& atmosphere);
 
-/// What is wrong with a table for an atmosphere that has one, or nothing: its logarithms are at most 100 in magnitude,
-/// and it is that of the phase function.
+/// What is wrong with a table for an atmosphere, or nothing: the atmosphere has one (find_scattering_error), the
+/// logarithms are at most 100 in magnitude, and at three corners they are those of the phase function.
 std::optional<ValueError> find_error(const ScatteringTable& table, const Atmosphere& atmosphere);
 
 /// M / (I d^2) of a table, between its numbers.

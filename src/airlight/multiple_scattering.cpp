@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <span>
+#include <utility>
 
 #include "airlight_text.h"
 #include "model/level_range.h"
@@ -30,8 +31,8 @@ constexpr int kFineness = 4;
 constexpr int kTabulatedDepths = (kScatteringDepths - 1) / kFineness + 1;
 constexpr int kTabulatedAngles = (kScatteringAngles - 1) / kFineness + 1;
 
-/// The difference of logarithms within which a table is that of a phase function: half of kScatteringMedianError.
-constexpr double kTableAgreement = 0.0015;
+/// The difference of logarithms within which a table is that of a phase function.
+constexpr double kTableAgreement = kScatteringMedianError / 2;
 
 /// A row of data/scattering/point.csv.
 struct Row {
@@ -79,10 +80,10 @@ double coordinate(const PhasePlace& of, double parameter) {
 struct Neighbours {
   const Row* first;
   const Row* second;
-  double share;  // of the second
+  double fraction;  // of the second
 
   double logarithm(int depth, int angle) const {
-    return std::lerp(first[depth].logarithm(angle), second[depth].logarithm(angle), share);
+    return std::lerp(first[depth].logarithm(angle), second[depth].logarithm(angle), fraction);
   }
 };
 
@@ -92,8 +93,8 @@ Neighbours neighbours_of(const PhasePlace& at) {
   const double x = coordinate(at, at.parameter);
   std::size_t below = 0;
   while (below + 2 < tables && parameter(below + 1) <= x) ++below;
-  const double share = std::clamp((x - parameter(below)) / (parameter(below + 1) - parameter(below)), 0.0, 1.0);
-  return {&at.rows[below * kTabulatedDepths], &at.rows[(below + 1) * kTabulatedDepths], share};
+  const double fraction = std::clamp((x - parameter(below)) / (parameter(below + 1) - parameter(below)), 0.0, 1.0);
+  return {&at.rows[below * kTabulatedDepths], &at.rows[(below + 1) * kTabulatedDepths], fraction};
 }
 
 /// A profile whose densities, times any height, are finite.
@@ -269,6 +270,7 @@ std::optional<ValueError> find_scattering_error(const Atmosphere& atmosphere) {
 }
 
 std::optional<ValueError> find_error(const ScatteringTable& table, const Atmosphere& atmosphere) {
+  if (const auto error = find_scattering_error(atmosphere)) return error;
   for (const auto& row : table.logs) {
     const auto is_fit = [](float each) { return std::abs(each) <= 100; };
     int fit = 0;
@@ -276,12 +278,11 @@ std::optional<ValueError> find_error(const ScatteringTable& table, const Atmosph
     if (fit == kScatteringAngles) continue;
     return ValueError{"table", *std::ranges::find_if_not(row, is_fit), "must be at most 100 in magnitude"};
   }
-  // At its corners, since all else follows from the phase function, too.
-  const Neighbours right = neighbours_of(place(atmosphere.phase));
+  const Neighbours expected = neighbours_of(place(atmosphere.phase));
   for (const auto& [depth, angle] :
        {std::pair(0, 0), std::pair(0, kTabulatedAngles - 1), std::pair(kTabulatedDepths - 1, 0)}) {
     const float log = table.logs[std::size_t(depth * kFineness)][std::size_t(angle * kFineness)];
-    if (!(std::abs(log - right.logarithm(depth, angle)) <= kTableAgreement)) {
+    if (!(std::abs(log - expected.logarithm(depth, angle)) <= kTableAgreement)) {
       return ValueError{"table", log, "must be of make_scattering_table for the atmosphere's phase function"};
     }
   }
@@ -459,7 +460,6 @@ void multiple_scattering(const PlacedLight& light, const Atmosphere& atmosphere,
   assert(rays.size() == scattered.size());
   require(find_error(light));
   require(find_error(atmosphere));
-  require(find_scattering_error(atmosphere));
   require(find_error(table, atmosphere));
   require_rays(rays);
   const ScatteringSource source = light.light.cone.is_point_light()

@@ -88,7 +88,6 @@ BeamMoments beam_moments(const Cone& cone) {
 
 ThinBeams make_thin_beams(const Atmosphere& atmosphere, const ScatteringTable& table) {
   require(find_error(atmosphere));
-  require(find_scattering_error(atmosphere));
   require(find_error(table, atmosphere));
   Atmosphere air = atmosphere;
   air.fog.density = 1;

@@ -19,7 +19,7 @@ std::filesystem::path file_or_bundled(const std::filesystem::path& given, const 
   if (given.has_extension()) return given;  // its reader says that it cannot be read
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
-    names.push_back(entry.path().stem().string());
+    if (entry.path().extension() == ".json") names.push_back(entry.path().stem().string());
   }
   std::ranges::sort(names);
   throw InputError({.file = given.string()},

@@ -83,11 +83,11 @@ bool has_decimal_points(std::string_view text) {
   bool has_comma = false, has_decimal = false;
   for_each_line(text, [&](std::string_view line) {
     has_comma = line.find(',') != line.npos;
-    while (!has_decimal && line.find('.') != line.npos) {
-      const std::size_t end = std::min(line.find_first_of(";\""), line.size());
-      const std::string_view cell = trimmed(line.substr(0, end));
+    for (std::size_t begin = 0; begin < line.size() && !has_decimal;) {
+      const std::size_t end = std::min(line.find_first_of(";\"", begin), line.size());
+      const std::string_view cell = trimmed(line.substr(begin, end - begin));
       has_decimal = cell.find('.') != cell.npos && !may_have_thousands(cell);
-      line.remove_prefix(std::min(end + 1, line.size()));
+      begin = end + 1;
     }
     return !has_comma;
   });

@@ -12,6 +12,7 @@
 #include <tuple>
 #include <utility>
 
+#include "airlight/require_rays.h"
 #include "litfog/airlight.h"
 #include "litfog/attenuation.h"
 #include "litfog/batch.h"
@@ -386,9 +387,9 @@ py::object airlights_of(const PlacedLight& light, const Atmosphere& atmosphere, 
 py::object reference_airlights_of(const PlacedLight& light, const Atmosphere& atmosphere, const py::object& rays,
                                   LampLeg lamp_leg, const py::object& out) {
   return along_rays(rays, out, [&](auto from, auto to) {
-    std::vector<double> airlights;  // until no ray has turned out to be wrong
-    for (const EyeRay& ray : from) airlights.push_back(reference_airlight(light, atmosphere, ray, lamp_leg));
-    std::ranges::copy(airlights, to.begin());
+    require_rays(from);
+    std::ranges::transform(from, to.begin(),
+                           [&](const EyeRay& ray) { return reference_airlight(light, atmosphere, ray, lamp_leg); });
   });
 }
 
@@ -640,7 +641,7 @@ void bind_lights(py::module_& m) {
           "other is that in it. At equal heights it is the fog there.");
   m.def(
       "visibility", [](const Fog& seen, double contrast) { return visibility(seen, contrast); }, py::arg("fog"),
-      py::arg("contrast") = kContrastMor, "The visibility of a fog, metres: Fog.from_visibility() backwards.");
+      py::arg("contrast") = kContrastMor, "The visibility of a fog, metres: the inverse of Fog.from_visibility().");
   m.def("phase_at",
         over_numbers<Phase>("cosine",
                             [](const Phase& phase, double cosine) {
@@ -915,11 +916,11 @@ void bind_airlight(py::module_& m) {
       "with its colour. rays: an array of dtype EYE_RAY and any shape, read where it lies if it is contiguous, or a\n"
       "tuple of origin, direction and length, or a list of those; the direction is unit, the length is metres to the\n"
       "surface or infinity. Returns out, or a new float64 array of the same shape, or a number. Errs by at most 1/255\n"
-      "in isotropic fog and by 1 % in 99 of 100 rays in other fog; docs/accuracy.md has more. Releases the GIL. "
+      "in isotropic fog; docs/accuracy.md has other fogs. Releases the GIL. "
       "ValueError with field, value and rule, before any result is written.");
   m.def("reference_airlight", &reference_airlights_of, py::arg("light"), py::arg("atmosphere"), py::arg("rays"),
         py::arg("lamp_leg") = LampLeg::fogged, py::kw_only(), py::arg("out") = py::none(),
-        "airlight() by adaptive quadrature, to 1e-10 of it, for comparisons: it takes some 100 times as long.");
+        "airlight() by adaptive quadrature, for comparisons: it takes some 100 times as long.");
   const char* axial_doc =
       "Airlight of a light along its own axis, the eye at the light, the light's leg clear; never below the fog\n"
       "colour intensity. ValueError with field, value and rule.";

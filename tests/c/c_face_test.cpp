@@ -785,6 +785,22 @@ TEST_F(CFace, AnyNumbersAreTakenOrRefused) {
   litfog_updater_destroy(updater);
 }
 
+TEST_F(CFace, DefaultAtmosphereIsThatOfCpp) {
+  litfog_atmosphere air = air_;
+  air.albedo = air.phase.weight = 0;
+  air.profile.count = 3;
+  ASSERT_EQ(litfog_default_atmosphere(&air), LITFOG_OK);
+  const Atmosphere expected;
+  EXPECT_EQ(air.fog.mode, LITFOG_FOG_EXP);
+  EXPECT_EQ(air.fog.density, expected.fog.density);
+  EXPECT_EQ(air.phase.first.asymmetry, expected.phase.first.asymmetry);
+  EXPECT_EQ(air.phase.weight, expected.phase.weight);
+  EXPECT_EQ(air.albedo, expected.albedo);
+  EXPECT_EQ(air.top, expected.top);
+  EXPECT_EQ(air.profile.count, expected.profile.count);
+  EXPECT_EQ(litfog_check_atmosphere(&air), LITFOG_OK);
+}
+
 TEST_F(CFace, LastErrorIsThatOfTheThread) {
   litfog_light light;
   ASSERT_EQ(litfog_default_light(nullptr), LITFOG_INVALID_ARGUMENT);

@@ -17,7 +17,13 @@ TEST(BundledName, FilesComeFirstThenBundledOnesAndOthersAreNamed) {
   const std::filesystem::path folder = directory.path();
   directory.write("street-lamp.json", "{}");
   EXPECT_EQ(file_or_bundled("street-lamp", folder), folder / "street-lamp.json");
-  EXPECT_EQ(file_or_bundled(folder, folder), folder) << "it is there";
+  const std::filesystem::path here = std::filesystem::current_path();
+  std::filesystem::current_path(folder);
+  directory.write("stage-lamp", "{}");
+  directory.write("stage-lamp.json", "{}");
+  const std::filesystem::path found = file_or_bundled("stage-lamp", folder);
+  std::filesystem::current_path(here);
+  EXPECT_EQ(found, "stage-lamp");
   EXPECT_EQ(file_or_bundled("./street-lamp", folder), "./street-lamp") << "a path, which its reader reports";
   EXPECT_EQ(file_or_bundled("lamp.ies", folder), "lamp.ies");
   EXPECT_EQ(sentence_of<InputError>([&] { file_or_bundled("street-lmp", folder); }),

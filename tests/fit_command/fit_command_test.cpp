@@ -363,7 +363,7 @@ TEST_F(FitCommand, AdviceNamesTheProfileWhoseFluxIsNearer) {
     return report_on("lamp.ies")["advice"].dump();
   };
   const std::string bright_to_the_end = advice_on("0 30 60 80 90", "100 95 80 70 60");
-  EXPECT_TRUE(has(bright_to_the_end, "off by +24 %. Of --profile cosine it is off by +1 %."));
+  EXPECT_TRUE(has(bright_to_the_end, "off by +24 %. With --profile cosine the flux is off by +1 %."));
   const std::string wide_spill = advice_on("0 5 10 15 90", "100 50 6 5 5");
   EXPECT_TRUE(has(wide_spill, "it leaves out much of the beam's spill"));
   EXPECT_FALSE(has(wide_spill, "--profile"));
@@ -690,7 +690,7 @@ TEST_F(FitCommand, ReportHasTheIlluminanceOfTheLightNearAndFar) {
   write_spec("near.json", R"("source_radius_m": 0.5, "range": {"peak_cd": 1000})");
   const std::string report = run("near.json --details").out;
   EXPECT_TRUE(has(report, "  source radius   0.5 m\n"));
-  EXPECT_TRUE(has(report, "\nIlluminance without the attenuation's clamp at 1, as pictures by airlight show it\n"));
+  EXPECT_TRUE(has(report, "\nIlluminance without the attenuation's clamp at 1\n"));
   std::istringstream rows(report.substr(report.find("range_m")));
   std::string columns;
   std::getline(rows, columns);
@@ -707,7 +707,7 @@ TEST_F(FitCommand, ReportHasTheIlluminanceOfTheLightNearAndFar) {
   EXPECT_FALSE(has(run("reach.json --details").out, "data_lx")) << "nothing is stated";
   write_spec("clamped.json", R"("source_radius_m": 0, "range": {"peak_cd": 1000})");
   const std::string clamped = run("clamped.json --details").out;
-  EXPECT_TRUE(has(clamped, "\nIlluminance, as pictures by airlight show it\n"));
+  EXPECT_TRUE(has(clamped, "\nIlluminance\n"));
   EXPECT_FALSE(has(clamped, "without the"));
 }
 

@@ -159,5 +159,10 @@ TEST(Isocandela, DamagedTablesAreReadOrAreErrors) {
   }
 }
 
+TEST(Isocandela, HostileTextTakesLinearTime) {
+  const std::size_t kMany = 4'000'000;  // time that grows with the square would not end here
+  EXPECT_EQ(error_of("vertical_deg;0;5\n0;" + std::string(kMany, ';') + "1.200\n"), "2:1: record: must not have more than 65,536 fields");
+}
+
 }  // namespace
 }  // namespace litfog::test

@@ -270,7 +270,8 @@ class SolveTest(unittest.TestCase):
         self.assertAlmostEqual(exact[0], np.sum(scattered * arriving) * 0.05 * 5 / 200_000, delta=1e-9 * exact[0])
         wrong = [((0, 0, 0), (0, 0, -1), 5), ((0, 0, 0), (0, 0, -2), 5)]
         message = r"^rays\[1\]\.direction = 2: length must be 1 within 1e-6$"
-        self.assertRaisesRegex(ValueError, message, litfog.airlight, lamp, air, wrong)
+        for function in (litfog.airlight, litfog.reference_airlight):
+            self.assertRaisesRegex(ValueError, message, function, lamp, air, wrong)
 
     def test_numbers_lists_tuples_and_arrays_are_taken_alike(self):
         attenuation, fog, cone = litfog.Attenuation(1, 0, 0.25), litfog.Fog(density=0.5), litfog.Cone.cosine(1.5, 2)

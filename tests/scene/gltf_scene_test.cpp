@@ -415,7 +415,7 @@ TEST_F(GltfScene, ErrorsNameLocationValueAndRule) {
   EXPECT_EQ(error_of(with("/extensions/KHR_lights_punctual/lights/0/intensity", -1)),
             "extensions.KHR_lights_punctual.lights[0].intensity = -1: must be >= 0");
   EXPECT_EQ(error_of(with("/extensions/KHR_lights_punctual/lights/0/color", {1, 2e4, 1})),
-            "extensions.KHR_lights_punctual.lights[0].color = an array: must be in [0, 10000]");
+            "extensions.KHR_lights_punctual.lights[0].color[1] = 20000.0: must be in [0, 10000]");
   EXPECT_EQ(error_of(with("/extensions/KHR_lights_punctual/lights/0/range", -2)),
             "extensions.KHR_lights_punctual.lights[0].range = -2: must be > 0");
   EXPECT_EQ(error_of(with("/materials/0/pbrMetallicRoughness/metallicFactor", 2)),

@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/gtc/matrix_transform.hpp>
+#include <utility>
 
 #include "scene/model/model_catalogue.h"
 #include "window/camera_motion.h"
@@ -27,12 +29,18 @@ scene::Camera moved() {
 }
 
 /// The walls of a box around both cameras.
-measure::TriangleTree box() {
-  scene::Scene scene;
-  scene.models = {scene::make_model("box", {{"width_m", 40}, {"depth_m", 60}, {"height_m", 20}})};
-  scene.instances = {{0, glm::translate(glm::mat4(1), glm::vec3(0, -10, 0))}};
-  return measure::TriangleTree(scene);
-}
+class MovedPictureOfABox : public testing::Test {
+ protected:
+  static scene::Scene box() {
+    scene::Scene scene;
+    scene.models = {scene::make_model("box", {{"width_m", 40}, {"depth_m", 60}, {"height_m", 20}})};
+    scene.instances = {{0, glm::translate(glm::mat4(1), glm::vec3(0, -10, 0))}};
+    return scene;
+  }
+
+  const scene::Scene scene_ = box();
+  const measure::TriangleTree walls_{scene_};
+};
 
 /// The largest distance, as a fraction of the picture, between where the mesh has points of the walls in the drawn
 /// picture and where its camera sees them.
@@ -53,23 +61,22 @@ double largest_error(const MovedPicture& picture, const scene::Camera& camera, d
   return largest;
 }
 
-TEST(MovedPicture, StaysWhereItIsWhileTheCameraDoes) {
+TEST(MovedPicture, PictureStaysWhileTheCameraStays) {
   const MovedPicture still(drawn(), kAspect, drawn(), kAspect, nullptr);
   for (const auto& [column, row] : {std::pair(0, 0), std::pair(48, 27), std::pair(17, 5)}) {
     EXPECT_LE(glm::distance(still.source(column, row).value(), MovedPicture::place(column, row)), 1e-12);
   }
 }
 
-TEST(MovedPicture, ShowsPointsOfSurfacesWhereTheCameraHasMovedThem) {
-  const auto walls = box();
-  EXPECT_LT(largest_error({drawn(), kDrawnAspect, moved(), kAspect, &walls}, moved(), kAspect, walls), 0.004);
+TEST_F(MovedPictureOfABox, PointsOfSurfacesAreWhereTheCameraHasMovedThem) {
+  EXPECT_LT(largest_error({drawn(), kDrawnAspect, moved(), kAspect, &walls_}, moved(), kAspect, walls_), 0.004);
   scene::Camera turned = drawn();
   look(turned, -0.2, 0.1);
-  EXPECT_LT(largest_error({drawn(), kDrawnAspect, turned, kAspect, nullptr}, turned, kAspect, walls), 0.001)
+  EXPECT_LT(largest_error({drawn(), kDrawnAspect, turned, kAspect, nullptr}, turned, kAspect, walls_), 0.001)
       << "a camera that only turns needs no surfaces";
 }
 
-TEST(MovedPicture, HasNothingOfWhatWasBehindTheCamera) {
+TEST(MovedPicture, WhatWasBehindTheCameraIsMissing) {
   scene::Camera turned = drawn();
   look(turned, 2.5, 0);
   const MovedPicture picture(drawn(), kAspect, turned, kAspect, nullptr);

@@ -347,7 +347,9 @@ class GltfReader {
     if (const auto given = light.optional("color")) {
       color = glm::make_vec3(numbers(*given, 3).data());
       for (int i = 0; i < 3; ++i) {
-        if (!(color[i] >= 0 && color[i] <= kMaxColor)) given->fail(fmt::format("must be in [0, {}]", kMaxColor));
+        color[i] = snapped(color[i], 0, kMaxColor);
+        if (is_within(color[i], 0, kMaxColor)) continue;
+        given->items()[std::size_t(i)].fail(fmt::format("must be in [0, {}]", kMaxColor));
       }
     }
     const double intensity = light.number_or("intensity", 1);

@@ -33,7 +33,8 @@ namespace litfog::scene {
 ///                                                         and moonlight enters it (Atmosphere::top_above() and
 ///                                                         light_top()); default: never, any fog hides the sky, and
 ///                                                         1200, from height 0 of the scene
-///       "phase_g": 0.8,                                   optional: instead of atmosphere.phase: hg:0.8
+///       "phase_g": 0.8,                                   optional: short for the phase hg:0.8; not beside
+///                                                         atmosphere.phase
 ///       "atmosphere": {                                   optional: the air
 ///         "phase": "droplets:20",                         optional: the fog's phase function, named by kPhaseRule;
 ///                                                         default: droplets:10
