@@ -34,8 +34,9 @@ enum class LightPoints { on, off };
 /// Whether a picture reaches the largest half float, at which the framebuffer of one pass clips it.
 bool is_cut_off(const Picture& picture);
 
-/// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera and sky
-/// may change from frame to frame. The lamps that cast shadows are chosen for the camera at set_lights().
+/// Draws a scene by a lighting path into a framebuffer. Needs a current GL 3.3 core context. The scene's camera, sky,
+/// ambient light and moon may change from frame to frame; if the moon casts shadows, set_lights() must follow. The lamps
+/// that cast shadows are chosen for the camera at set_lights().
 ///
 /// Scenes are in doubles, shaders in floats. Shaders take positions relative to origin(), so that pictures 10,000 km
 /// from the world's origin are as exact as at it. A camera that moves kilometres away causes a new set_lights().
@@ -61,9 +62,6 @@ class Renderer {
   ///
   /// throws  gl::Unsupported like the constructor
   void set_lights();
-  /// Applies a change of the scene's ambient light or moon. If the moon casts shadows, set_lights() must follow. The
-  /// first change recompiles shaders, whose sums a driver may round differently in the last bit.
-  void set_environment_light() { surfaces_.set_environment_light(); }
   /// Replaces the scene's atmosphere: solves the carried lights and uploads the changes. In layered air carried lights
   /// are solved for the fog at the eye, and again when a frame finds the camera in other fog.
   ///

@@ -29,27 +29,11 @@ class SequenceTest : public testing::Test {
             .members = {{.change = {.member = member, .value = ""},
                          .numbers = demo::Course<double>{.values = values, .is_range = false}}}};
   }
-  bool changes_environment_light(const std::string& member) const {
-    const demo::SequenceOptions options = over(member);
-    return demo::Sequence(options).changes_environment_light();
-  }
 
  private:
   TemporaryDirectory directory_;
   const std::string scene_ = (directory_.path() / "scene.json").string();
 };
-
-TEST_F(SequenceTest, EnvironmentsLightIsThatOfMoonAndAmbience) {
-  for (const char* member : {"environment.ambient[0]", "environment.moon.color[0]", "environment.moon.direction[1]"}) {
-    EXPECT_TRUE(changes_environment_light(member)) << member;
-  }
-  for (const char* member :
-       {"camera.position[0]", "lights[0].threshold", "lights[0].position[1]", "fog_top_m", "phase_g",
-        "visibilities_m[0]", "environment.fog_color[0]", "environment.sky_zenith[2]", "environment.stars",
-        "objects[0].width_m", "objects[0].heading_deg", "vehicle.heading_deg"}) {
-    EXPECT_FALSE(changes_environment_light(member)) << member;
-  }
-}
 
 TEST_F(SequenceTest, ObjectsChangeWithTheirMembersAlone) {
   const demo::SequenceOptions copies = over("objects[0].repeat[0].count", {1, 2});

@@ -164,7 +164,6 @@ Sequence::Sequence(const SequenceOptions& options)
   changes_members_ =
       std::ranges::any_of(options.members, [](const MemberCourse& member) { return changes(member.numbers); });
   changes_objects_ = change(options.members, {"objects[", "city."});
-  changes_environment_light_ = change(options.members, {"environment.ambient[", "environment.moon."});
   moves_camera_ = path_ || changes(options.camera) || changes(options.target) || changes(options.field_of_view_deg);
   moves_lights_ = (changes(options.seconds) && drawing::changes_with_time(scene_)) ||
                   (moves_camera_ && std::ranges::any_of(scene_.lights, &PlacedLight::carried));
@@ -273,7 +272,6 @@ void draw_sequence(Sequence& sequence, const std::string& folder, const drawing:
   command::Progress progress;
   progress.show(fmt::format("{}: loading", scene.name));
   render::Renderer renderer(scene, drawing.width, drawing.height, settings);
-  if (sequence.changes_environment_light()) renderer.set_environment_light();
   drawing::Display display = drawing.display.display_for(scene, settings.fog_lighting);
   for (int frame = 0; frame < count; ++frame) {
     const command::WallTimer frame_timer;

@@ -52,9 +52,8 @@ class Sequence {
   std::string text(int frame) const;                    ///< all that changes: "visibility 400 m, time 0.5 s"
   bool moves_camera() const { return moves_camera_; }
   bool moves_lights() const { return moves_lights_; }
-  bool changes_members() const { return changes_members_; }                      ///< members of the scene's file
-  bool changes_objects() const { return changes_objects_; }                      ///< the scene's, or its generated city
-  bool changes_environment_light() const { return changes_environment_light_; }  ///< the ambient light or the moon
+  bool changes_members() const { return changes_members_; }  ///< members of the scene's file
+  bool changes_objects() const { return changes_objects_; }  ///< the scene's, or its generated city
 
   /// Changes the scene to that of a frame. Carried lights move with the camera, from their positions in the first
   /// frame. Throws InputError if a file has changed since the sequence was made.
@@ -75,7 +74,6 @@ class Sequence {
   std::optional<CameraPath> path_;
   bool changes_members_ = false;
   bool changes_objects_ = false;
-  bool changes_environment_light_ = false;
   bool moves_camera_ = false;
   bool moves_lights_ = false;
   std::vector<PlacedLight> lights_;  // at rest, like what follows

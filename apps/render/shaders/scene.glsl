@@ -4,6 +4,11 @@
 #include "surface_draw.glsl"
 #include "generated/environment.glsl"
 
+uniform vec3 ambient_light;
+// The directional light, if has_moon.
+uniform vec3 moon_direction;
+uniform vec3 moon_color;
+
 // The unit direction to the viewer if has_infinite_viewer (Randima Fernando and Mark Kilgard 2003, "The Cg Tutorial",
 // chapter 5, exercise 4).
 uniform vec3 infinite_viewer;

@@ -390,13 +390,9 @@ SurfaceProgram& SurfacePainter::use(Frame& frame, const ShaderVariant& variant, 
 void SurfacePainter::set_frame_uniforms(const Frame& frame, const ShaderVariant& variant,
                                         const gl::Program& program) const {
   bind_lights(program, fog_light_buffer_);
-  if (programs_.is_environment_light_uniform()) {
-    const scene::Environment& environment = scene_.environment;
-    set_uniform(program, "ambient_light", environment.ambient_light);
-    set_uniform(program, "has_moon", environment.has_moon());
-    set_uniform(program, "moon_direction", environment.moon_direction);
-    set_uniform(program, "moon_color", environment.moon_color);
-  }
+  set_uniform(program, "ambient_light", scene_.environment.ambient_light);
+  set_uniform(program, "moon_direction", scene_.environment.moon_direction);
+  set_uniform(program, "moon_color", scene_.environment.moon_color);
   set_uniform(program, "clip_from_world", frame.view.clip_from_world);
   set_uniform(program, "eye", frame.view.eye);
   set_moonlight(program, frame.view);

@@ -43,8 +43,6 @@ class SurfacePainter {
   ///
   /// throws  gl::Unsupported like the constructor
   void set_lights();
-  /// Applies a change of the ambient light or the moon's. Only the first one recompiles all programs.
-  void set_environment_light() { programs_.make_environment_light_uniform(); }
   /// Applies a change of the fog, after the lights. knots: number in its density profile.
   void set_fog(std::size_t knots);
   /// Draws the surfaces of a plan without its panes. The plan's light list must be bound to its unit.

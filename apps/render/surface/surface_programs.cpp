@@ -13,25 +13,6 @@
 namespace litfog::render {
 namespace {
 
-std::string glsl(const glm::vec3& v) { return fmt::format("vec3({}, {}, {})", v.x, v.y, v.z); }
-
-/// The light that is not from lamps, as constants, because some drivers read uniforms anew for every fragment.
-std::string environment_light_constants(const scene::Environment& environment) {
-  return fmt::format(
-      "const vec3 ambient_light = {};\n"
-      "const bool has_moon = {};  // the directional light\n"
-      "const vec3 moon_direction = {};\n"
-      "const vec3 moon_color = {};\n",
-      glsl(environment.ambient_light), environment.has_moon(), glsl(environment.moon_direction),
-      glsl(environment.moon_color));
-}
-
-constexpr const char* kEnvironmentLightUniforms =
-    "uniform vec3 ambient_light;\n"
-    "uniform bool has_moon;\n"
-    "uniform vec3 moon_direction;\n"
-    "uniform vec3 moon_color;\n";
-
 /// Settings, which a renderer never changes, as constants.
 std::string settings_constants(const RenderSettings& settings) {
   return fmt::format(
@@ -63,28 +44,22 @@ SurfaceProgram::SurfaceProgram(gl::Program linked)
       cone_from_world(program.uniform("cone_from_world")) {}
 
 SurfacePrograms::SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings)
-    : has_cookies_(!scene.cookies.empty()),
+    : scene_(scene),
+      has_cookies_(!scene.cookies.empty()),
       has_shadows_(settings.shadows != Shadows::none),
       should_test_depth_late_(render::should_test_depth_late(settings.samples)),
       samples_(settings.samples == 1 ? "#define ONE_SAMPLE\n" : ""),
-      environment_light_(environment_light_constants(scene.environment)),
       settings_(settings_constants(settings)),
       path_shaders_(settings.path->shaders) {}
 
-void SurfacePrograms::make_environment_light_uniform() {
-  if (is_environment_light_uniform_) return;
-  is_environment_light_uniform_ = true;
-  environment_light_ = kEnvironmentLightUniforms;
-  programs_.clear();
-}
-
 SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
-  const auto found = programs_.find(variant);
+  const std::pair key(variant, scene_.environment.has_moon());
+  const auto found = programs_.find(key);
   if (found != programs_.end()) return found->second;
   const std::string pass = pass_constants(variant);
   std::vector<gl::ShaderSource> files = scene_shaders(has_cookies_, has_shadows_);
   files.insert(files.end(), path_shaders_.begin(), path_shaders_.end());
-  const std::string environment = environment_light_ + settings_;
+  const std::string environment = fmt::format("const bool has_moon = {};\n", key.second) + settings_;
   files.push_back({"generated/environment.glsl", environment});
   files.push_back({"generated/pass.glsl", pass});
   const std::string material =
@@ -95,7 +70,7 @@ SurfaceProgram& SurfacePrograms::program(const ShaderVariant& variant) {
   const bool is_plain = variant.material == MaterialFeatures{} && !variant.tests_depth_late;
   gl::Program program(variant.pass->vertex, variant.pass->geometry,
                       is_plain ? variant.pass->fragment : std::string_view("material.frag"), files);
-  return programs_.emplace(variant, std::move(program)).first->second;
+  return programs_.emplace(key, std::move(program)).first->second;
 }
 
 }  // namespace litfog::render

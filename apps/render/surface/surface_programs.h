@@ -4,6 +4,7 @@
 #include <map>
 #include <span>
 #include <string>
+#include <utility>
 
 #include "litfog/gl/program.h"
 #include "render/render_settings.h"
@@ -29,25 +30,19 @@ class SurfacePrograms {
  public:
   SurfacePrograms(const scene::Scene& scene, const RenderSettings& settings);
 
-  /// Turns the ambient light and the moon's from constants of the programs into uniforms: ambient_light, has_moon,
-  /// moon_direction and moon_color.
-  void make_environment_light_uniform();
-  bool is_environment_light_uniform() const { return is_environment_light_uniform_; }
-
-  /// The program of a variant, valid as long as this object.
+  /// The program of a variant, with or without a moon as the scene is now, valid as long as this object.
   SurfaceProgram& program(const ShaderVariant& variant);
   bool should_test_depth_late() const { return should_test_depth_late_; }  ///< render::should_test_depth_late()
 
  private:
+  const scene::Scene& scene_;
   bool has_cookies_;
   bool has_shadows_;
   bool should_test_depth_late_;
-  std::string samples_;  // the beginning of material.glsl, which every reader of a fragment's position includes
-  bool is_environment_light_uniform_ = false;
-  std::string environment_light_;  // the beginning of environment.glsl
-  std::string settings_;           // the rest of environment.glsl
+  std::string samples_;   // the beginning of material.glsl, which every reader of a fragment's position includes
+  std::string settings_;  // the rest of environment.glsl
   std::span<const gl::ShaderSource> path_shaders_;
-  std::map<ShaderVariant, SurfaceProgram> programs_;
+  std::map<std::pair<ShaderVariant, bool>, SurfaceProgram> programs_;  // by variant and whether there is a moon
 };
 
 }  // namespace litfog::render
