@@ -158,7 +158,10 @@ TEST_F(AirlightShader, AirlightInFloatsHasItsStatedErrors) {
 /// A lamp in or near layers, and a ray: eye and length, direction and quadratic attenuation, lamp and extent, axis and
 /// profile, the cone's cosines.
 ShaderCase draw_layered_case(Random& random, const Atmosphere& atmosphere, bool is_spot) {
-  const auto draw_vector = [&](double size) { return glm::vec3(size * random.uniform(0, 1) * draw_direction(random)); };
+  const auto draw_vector = [&](double size) {
+    const glm::dvec3 direction = draw_direction(random);  // a statement each: compilers order operands differently
+    return glm::vec3(size * random.uniform(0, 1) * direction);
+  };
   const glm::vec3 eye = draw_vector(60), lamp = draw_vector(30), direction(draw_direction(random));
   const glm::vec3 axis(draw_direction(random));
   const float length = float(random.log_uniform(1, 500)), quadratic = float(random.log_uniform(1e-4, 1));

@@ -189,7 +189,7 @@ TEST_F(Gldf, BrokenArchiveIsAnError) {
   for (int i = 0; i < 500; ++i) {
     std::string bytes = sound;
     for (int left = 1 + int(random.uniform(0, 4)); left > 0; --left) {
-      bytes[4 + std::size_t(random.uniform(0, double(bytes.size() - 4)))] = char(random.uniform(0, 256));
+      bytes[4 + std::size_t(random.uniform(0, double(bytes.size() - 4)))] = char(random.below(256));
     }
     if (random.chance(0.3)) bytes.resize(4 + std::size_t(random.uniform(0, double(bytes.size() - 4))));
     std::ofstream(path(), std::ios::binary) << bytes;

@@ -70,7 +70,7 @@ void expect_mutations_read_or_fail(const std::string& text, int edits, std::uint
       const auto at = std::size_t(random.uniform(0, double(mutated.size())));
       const auto length = std::size_t(random.uniform(0, 4));
       if (random.chance(0.3)) {
-        mutated[at] = char(random.uniform(0, 256));
+        mutated[at] = char(random.below(256));
       } else if (random.chance(0.3)) {
         mutated.erase(at, length);
       } else if (random.chance(0.3)) {
