@@ -16,7 +16,9 @@ MovedPicture::MovedPicture(const scene::Camera& drawn, double drawn_aspect, cons
         const auto hit = surfaces->nearest(ray.origin, ray.direction, 0, kFarthestSurface);
         range = hit ? hit->distance : kFarthestSurface;
       }
-      sources_.push_back(place_in_picture(drawn, drawn_aspect, ray.origin + range * ray.direction));
+      const auto source = place_in_picture(drawn, drawn_aspect, ray.origin + range * ray.direction);
+      const bool is_far = source && glm::any(glm::greaterThan(glm::abs(*source - 0.5), glm::dvec2(0.5 + kMargin)));
+      sources_.push_back(is_far ? std::nullopt : source);
     }
   }
 }

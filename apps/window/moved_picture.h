@@ -21,6 +21,7 @@ class MovedPicture {
   // Cells of the mesh, within which positions are interpolated.
   static constexpr int kColumns = 48;
   static constexpr int kRows = 27;
+  static constexpr double kMargin = 0.25;  ///< of the picture, within which its edge stands for what lay outside
 
   /// Each vertex shows the point that the camera sees there.
   ///
@@ -33,8 +34,8 @@ class MovedPicture {
   ///
   /// column, row  in [0, kColumns] and [0, kRows]
   static glm::dvec2 place(int column, int row) { return {double(column) / kColumns, double(row) / kRows}; }
-  /// Its position in the picture, also in fractions, which may lie outside [0, 1]; nothing if it was behind that
-  /// camera.
+  /// Its position in the picture, also in fractions, within [-kMargin, 1 + kMargin]; nothing for what lay farther
+  /// outside or behind that camera.
   std::optional<glm::dvec2> source(int column, int row) const {
     return sources_[std::size_t(row * (kColumns + 1) + column)];
   }

@@ -47,17 +47,20 @@ class MovedPictureOfABox : public testing::Test {
 double largest_error(const MovedPicture& picture, const scene::Camera& camera, double aspect,
                      const measure::TriangleTree& walls) {
   double largest = 0;
+  int cells = 0;
   for (int row = 0; row < MovedPicture::kRows; ++row) {
     for (int column = 0; column < MovedPicture::kColumns; ++column) {
+      const auto low = picture.source(column, row), high = picture.source(column + 1, row + 1);
+      if (!low || !high) continue;
+      ++cells;
       const glm::dvec2 middle = (MovedPicture::place(column, row) + MovedPicture::place(column + 1, row + 1)) / 2.0;
       const EyeRay ray = ray_through(camera, aspect, middle);
       const auto hit = walls.nearest(ray.origin, ray.direction, 0, kFarthestSurface);
       const auto seen = place_in_picture(drawn(), kDrawnAspect, ray.origin + hit.value().distance * ray.direction);
-      const glm::dvec2 shown =
-          (picture.source(column, row).value() + picture.source(column + 1, row + 1).value()) / 2.0;
-      largest = std::max(largest, glm::distance(shown, seen.value()));
+      largest = std::max(largest, glm::distance((*low + *high) / 2.0, seen.value()));
     }
   }
+  EXPECT_GT(cells, MovedPicture::kColumns * MovedPicture::kRows * 3 / 4);
   return largest;
 }
 
@@ -76,11 +79,16 @@ TEST_F(MovedPictureOfABox, PointsOfSurfacesAreWhereTheCameraHasMovedThem) {
       << "a camera that only turns needs no surfaces";
 }
 
-TEST(MovedPicture, WhatWasBehindTheCameraIsMissing) {
+TEST(MovedPicture, WhatWasBehindTheCameraOrFarOutsideIsMissing) {
   scene::Camera turned = drawn();
   look(turned, 2.5, 0);
   const MovedPicture picture(drawn(), kAspect, turned, kAspect, nullptr);
   EXPECT_FALSE(picture.source(MovedPicture::kColumns / 2, MovedPicture::kRows / 2));
+  scene::Camera aside = drawn();
+  look(aside, 0.6, 0);
+  const MovedPicture beside(drawn(), kAspect, aside, kAspect, nullptr);
+  EXPECT_TRUE(beside.source(0, MovedPicture::kRows / 2));
+  EXPECT_FALSE(beside.source(MovedPicture::kColumns, MovedPicture::kRows / 2));
 }
 
 }  // namespace
