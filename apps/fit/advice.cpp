@@ -82,7 +82,7 @@ void advise_on_contours(const LightTarget& target, Advice& advice) {
 /// A file that ends where its beam is bright: the light's beam is cut there. A table of ellipses ends at its last
 /// contour by design.
 void advise_on_cut(const LightTarget& target, Advice& advice) {
-  constexpr double kBright = 0.1;  // of the peak, at which the wider of the two angles is reported
+  constexpr double kBeamLevel = 0.5, kBright = 0.1;  // of the peak, at which the report has angles
   if (!target.luminaire) return;
   const auto& [type, horizontal, vertical, intensity] = target.luminaire->distribution;
   if (target.luminaire->is_isocandela && type == PhotometryType::c) return;
@@ -103,7 +103,7 @@ void advise_on_cut(const LightTarget& target, Advice& advice) {
   advice.add(
       "The file ends where the beam has {} of its peak, and the light is dark beyond: the angles at {}10 % may be "
       "those of the file's end. If the lamp is lit beyond, give its intensities there.",
-      percent(level, 2), level > 0.5 ? "50 % and " : "");
+      percent(level, 2), level > kBeamLevel ? "50 % and " : "");
 }
 
 void advise_on_source_radius(const LightFit& fit, Advice& advice) {

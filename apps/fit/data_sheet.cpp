@@ -286,11 +286,12 @@ std::optional<double> dimmer_axis(const LightFit& fit) {
 
 /// How far the light, or both, are from what was measured.
 std::string errors_of(const Outcome& outcome) {
+  constexpr double kLeastAsymmetry = 0.001;  // shown as 0.1 %
   const LightFit& fit = *outcome.fit;
   std::vector<std::string> errors;
   if (const auto error = outcome.two ? outcome.two->beam_error : fit.beam_error()) {
     errors.push_back(fmt::format("{} % of the beam (rms){}", shown_rounded(percent_of(*error), 3),
-                                 outcome.two || fit.cookie || fit.target.asymmetry < 0.001
+                                 outcome.two || fit.cookie || fit.target.asymmetry < kLeastAsymmetry
                                      ? ""
                                      : ", asymmetry and cone together; the verdict judges each by itself"));
   } else if (fit.cone) {
