@@ -43,7 +43,8 @@ class JsonValue {
 
   JsonValue member(std::string_view name) const;  ///< a required member of an object
   std::optional<JsonValue> optional(std::string_view name) const;
-  void allow_only(const std::vector<std::string_view>& names) const;  ///< fails at any other member of an object
+  /// Fails at any other member of an object. Where "litfog" may stand, so may "$schema", a string for editors.
+  void allow_only(const std::vector<std::string_view>& names) const;
 
   std::vector<std::string_view> names() const;  ///< names of an object's members
   std::vector<JsonValue> items() const;

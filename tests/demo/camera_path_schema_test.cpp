@@ -12,7 +12,7 @@ namespace {
 
 /// Between them they have every member.
 constexpr std::array kPaths{
-    R"({"litfog": "camera-path", "version": 1, "keyframes": [
+    R"({"$schema": "s", "litfog": "camera-path", "version": 1, "keyframes": [
       {"time_s": 0, "position": [0, 2, 9], "target": [0, 1, 0], "field_of_view_deg": 50},
       {"time_s": 4, "position": [3, 2, 5], "target": [0, 1, 0]}]})",
     R"({"litfog": "camera-path", "version": 1, "keyframes": [

@@ -155,6 +155,14 @@ TEST(JsonDocument, UnknownMemberIsAnErrorAtItsName) {
   EXPECT_EQ(error_of([&] { root.allow_only({"a", "b"}); }), "f:2:3: \"aa\": must be one of a, b");
 }
 
+TEST(JsonDocument, NameOfTheSchemaMayStandBesideTheHeader) {
+  const JsonValue root = parse_json(R"({"$schema": "a.json", "litfog": "light"})", "f");
+  root.allow_only({"litfog"});
+  EXPECT_EQ(error_of([&] { root.allow_only({"b"}); }), "f:1:2: \"$schema\": must be one of b");
+  EXPECT_EQ(error_of([] { parse_json(R"({"$schema": 1})", "f").allow_only({"litfog"}); }),
+            "f:1:13: $schema = 1: must be a string");
+}
+
 TEST(JsonDocument, LongAndBrokenValuesAreShortInErrors) {
   EXPECT_EQ(quoted_excerpt("a\"\n"), R"("a\"\n")");
   EXPECT_EQ(quoted_excerpt(std::string(1000, 'x')), '"' + std::string(40, 'x') + "\"...");

@@ -91,6 +91,7 @@ std::set<std::string> JsonSchema::members_at(const std::string& pointer) const {
   for (const auto& [name, schema] : parsed_->document.at(Json::json_pointer(pointer + "/properties")).items()) {
     members.insert(name);
   }
+  members.erase("$schema");  // readers take it, and do not list it
   return members;
 }
 

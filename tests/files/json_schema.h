@@ -23,7 +23,7 @@ class JsonSchema {
   /// What is wrong with a document, or nothing; text that is no JSON is wrong.
   std::string error_of(const std::string& text) const;
 
-  /// The members that the schema's part at a JSON pointer, "/definitions/cone", lets an object have.
+  /// The members that the schema's part at a JSON pointer, "/definitions/cone", lets an object have, without "$schema".
   std::set<std::string> members_at(const std::string& pointer) const;
 
  private:

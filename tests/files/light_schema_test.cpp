@@ -12,14 +12,15 @@ namespace {
 
 /// The text of a light with every member.
 std::string full_light(const Cone& cone) {
-  return format_light({.name = "a",
-                       .color = {1, 0.5, 0},
-                       .attenuation = {1, 0.1, 0.01},
-                       .cone = cone,
-                       .density_scale = 0.4,
-                       .source_radius = 0.1,
-                       .flash = {2, 2, {{{0, 0.1, 5}, {0.5, 0.25}}}}},
-                      {"a", "b"}, "{}");
+  std::string text = format_light({.name = "a",
+                                   .color = {1, 0.5, 0},
+                                   .attenuation = {1, 0.1, 0.01},
+                                   .cone = cone,
+                                   .density_scale = 0.4,
+                                   .source_radius = 0.1,
+                                   .flash = {2, 2, {{{0, 0.1, 5}, {0.5, 0.25}}}}},
+                                  {"a", "b"}, "{}");
+  return text.insert(text.find("\"litfog\""), R"("$schema": "s", )");
 }
 
 /// What a reader says; nothing where it takes the text.

@@ -16,7 +16,7 @@
 namespace litfog::test {
 namespace {
 
-constexpr const char* kScene = R"({"litfog": "scene", "version": 1, "name": "a", "description": "b",
+constexpr const char* kScene = R"({"$schema": "s", "litfog": "scene", "version": 1, "name": "a", "description": "b",
   "camera": {"position": [0, 2, 0], "target": [0, 1, -9], "field_of_view_deg": 50},
   "environment": {"ambient": [0.1, 0.1, 0.1], "fog_color": [0, 0, 0], "sky_zenith": [0, 0, 0],
                   "sky_horizon": [0, 0, 0], "stars": 1, "moon": {"direction": [0, -1, 0], "color": [1, 1, 1]}},
