@@ -35,11 +35,12 @@ void require_all(const Atmosphere& atmosphere, const glm::dvec3& to_light) {
   require(find_direction_error(to_light, "to_light"));
 }
 
-/// A ray's length, finite: what lies beyond it in a ray without end adds nothing.
+/// A ray's length, at most 1e30 m: what lies beyond it in a ray without end adds nothing, and heights at its end have
+/// finite differences from any top.
 double finite_length(const Atmosphere& air, double height, double rise, double length) {
-  if (std::isfinite(length)) return length;
   constexpr double kDarkDepth = 800;  // e^-800 is 0
   constexpr double kEndless = 1e30;
+  if (std::isfinite(length)) return std::min(length, kEndless);
   double last_edge = 0;
   if (rise != 0) {
     for (const DensityKnot& knot : air.profile.used()) last_edge = std::max(last_edge, (knot.height - height) / rise);

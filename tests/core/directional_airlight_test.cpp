@@ -192,6 +192,15 @@ std::vector<VanishingFog> vanishing_fogs() {
   return fogs;
 }
 
+TEST(DirectionalAirlight, LongestRayIsTheEndlessOne) {
+  const std::vector<DensityKnot> knots{{0, 0.004}, {2.5, 0}};
+  const Atmosphere air{.top = kMax, .profile = make_density_profile(knots)};
+  EyeRay ray{{0, 255, 0}, glm::normalize(glm::dvec3(0, -0.3, 1)), kMax};
+  const double longest = directional_airlight(air, {0, 1, 0}, ray);
+  ray.length = kInfinity;
+  EXPECT_NEAR(longest, directional_airlight(air, {0, 1, 0}, ray), 1e-12);
+}
+
 TEST(DirectionalAirlight, FogThatVanishesLeavesWhatItsAbsenceDoes) {
   for (const auto& [name, vanishing, without] : vanishing_fogs()) {
     for (const double slope : {1e-3, 0.6, 1.0}) {
