@@ -12,6 +12,7 @@
 
 #include "litfog/input_error.h"
 #include "model/require.h"
+#include "photometry/text_scanner.h"
 #include "text/file_text.h"
 
 namespace litfog {
@@ -169,9 +170,9 @@ class CookieParser {
     expect_success(exr_get_channels(exr_.get(), kPart, &channels));
     if (channels->num_channels != 1) fail("channels", std::to_string(channels->num_channels), "must be 1");
     const exr_attr_chlist_entry_t& channel = channels->entries[0];
-    if (channel.pixel_type != EXR_PIXEL_FLOAT) fail("channel", channel.name.str, "must be of 32-bit floats");
+    if (channel.pixel_type != EXR_PIXEL_FLOAT) fail("channel", excerpt(channel.name.str), "must be of 32-bit floats");
     if (channel.x_sampling != 1 || channel.y_sampling != 1) {
-      fail("channel", channel.name.str, "must have a sample for each texel");
+      fail("channel", excerpt(channel.name.str), "must have a sample for each texel");
     }
   }
 

@@ -201,7 +201,9 @@ Luminaire parse_ies(std::string text, const std::string& name) {
   const AngleLimits limits = limits_of(type);
   const auto vertical = grid.angles("vertical angle", vertical_count, limits.least_vertical, limits.most_vertical);
   auto horizontal = grid.angles("horizontal angle", horizontal_count, limits.least_horizontal, limits.most_horizontal);
-  if (is_c && !is_turn(horizontal)) scanner.fail(grid.last(), "last horizontal angle", kTurnRule);
+  if (is_c && !is_turn(horizontal)) {
+    scanner.fail(grid.last(), "last horizontal angle", std::string("must be one of ") + kTurns);
+  }
   if (!is_c && horizontal_count == 1) {
     scanner.fail(grid.last(), "horizontal angle", "must not be the only one in types A and B");
   }

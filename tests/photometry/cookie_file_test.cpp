@@ -103,6 +103,8 @@ TEST(CookieFile, ImageOfAnotherKindIsAnError) {
   const std::string bytes = format_cookie(random_cookie(5));
   const std::size_t channels = offset_of(bytes, "channels", "chlist");
   EXPECT_EQ(error_of(with(bytes, channels + 2, std::int32_t{0})), "channel = Y: must be of 32-bit floats");
+  EXPECT_EQ(error_of(with(with(bytes, channels, '\n'), channels + 2, std::int32_t{0})),
+            "channel = ?: must be of 32-bit floats");
   EXPECT_NE(error_of(with(bytes, channels + 10, std::int32_t{5})), "accepted");  // a sample for five texels
   const std::size_t compression = offset_of(bytes, "compression", "compression");
   EXPECT_EQ(error_of(with(bytes, compression, char{4})), "compression: must be zip, of 16 rows at a time");  // PIZ
