@@ -255,12 +255,14 @@ Coefficients linear_start(const Falloff& falloff) {
 
 FalloffMinimum approach(const Falloff& falloff, const Coefficients& start, double tolerance) {
   constexpr double kMinDamping = 1e-2, kMaxDamping = 1e8;
+  constexpr std::size_t kMaxSteps =
+      1000;  // found by fuzzing: zeros released and blocked in turn, each time with a tiny fall
   FalloffMinimum minimum{.coefficients = within_bounds(falloff, start)};
   auto& q = minimum.coefficients;
   Slopes<double> at = slopes_at(falloff, q, Bend::upward);
   double damping = 0;
   bool releases = false;  // until the others are at a minimum, to find the minimum with more zeros
-  while (damping < kMaxDamping && std::isfinite(at.objective)) {
+  while (damping < kMaxDamping && std::isfinite(at.objective) && minimum.iterations < kMaxSteps) {
     const auto [next, blocked] = newton_step(falloff, q, at, damping, releases);
     const Slopes<double> at_next = slopes_at(falloff, next, Bend::upward);
     ++minimum.iterations;
