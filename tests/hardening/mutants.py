@@ -2,9 +2,9 @@
 # SPDX-License-Identifier: Apache-2.0
 """mutants.py [COUNT [SEED]]: which single wrong operators in the core's sources its tests find.
 
-Takes COUNT operators, 100 by default and the same in each run of a SEED, out of src/model, src/solve and src/airlight, puts
-a wrong one in the place of each in a copy of the tree (build-mutants/tree), and runs the core's tests. Prints the mutants
-and adds them to data/benchmarks/mutants.csv.
+Takes COUNT operators, 100 by default and the same in each run of a SEED, out of the core's sources and the shaders whose
+text they share, puts a wrong one in the place of each in a copy of the tree (build-mutants/tree), and runs the core's
+tests. Prints each mutant and adds it to data/benchmarks/mutants.csv.
 """
 
 import csv
@@ -54,10 +54,8 @@ def run(name, filters, limit):
 
 
 def found_by(filters, limit):
-    """The first of the tests that finds the mutant of now, or None. Updater and clusters are not of these folders."""
-    joint = ":" if "-" in filters else "-"
-    return (run("litfog_core_tests", filters, limit)
-            or run("litfog_thread_tests", f"{filters}{joint}FogUpdater*:LightClusters*", limit))  # fmt: skip
+    """The first of the tests that finds the mutant of now, or None."""
+    return run("litfog_core_tests", filters, limit) or run("litfog_thread_tests", filters, limit)
 
 
 def own_tests(path):
@@ -100,26 +98,25 @@ subprocess.run(["cmake", "-S", tree, "-B", build, "-G", "Ninja", "--log-level=NO
                 "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -DHWY_COMPILE_ONLY_STATIC", "-DLITFOG_BUILD_FIT=OFF",
                 "-DLITFOG_BUILD_APPS=OFF", "-DLITFOG_BUILD_GL=OFF", "-DLITFOG_BUILD_TESTS=ON"], check=True)  # fmt: skip
 assert make(quiet=False)
-files = [path for folder in ("model", "solve", "airlight") for path in sorted((tree / "src" / folder).glob("*.cpp"))]
+files = [path for folder in ("model", "solve", "airlight", "culling", "tables")
+         for path in sorted((tree / "src" / folder).glob("*.*"))]  # fmt: skip
+including = "".join(path.read_text(encoding="utf-8") for path in [*files, tree / "include" / "litfog" / "formulas.h"])
+files += [tree / "include" / shader
+          for shader in sorted(set(re.findall(r'^#include "(litfog/shaders/.*)"', including, re.MULTILINE)))]  # fmt: skip
 choice = random.Random(int(sys.argv[2]) if len(sys.argv) > 2 else 44)
 mutants = [Mutant(path, site, choice.choice(wrong[site[2]]))
            for path, site in choice.sample([(path, site) for path in files for site in sites(path)], count)]  # fmt: skip
-for mutant in mutants:  # its own tests find most of them soon
-    with mutant:
-        mutant.found = mutant.found or found_by(own_tests(mutant.path), 600)
 start = time.monotonic()
-assert make() and not found_by("*", None), "the tests fail without a mutant"
+assert not found_by("*", None), "the tests fail without a mutant"
 limit = 4 * (time.monotonic() - start)
+table = root / "data" / "benchmarks" / "mutants.csv"
 for mutant in mutants:
-    if not mutant.found:
-        with mutant:
-            mutant.found = found_by(f"*-{own_tests(mutant.path)}", limit)
-
+    with mutant:  # its own tests find most of them soon
+        own = own_tests(mutant.path)
+        mutant.found = mutant.found or found_by(own, limit) or found_by(f"*-{own}", limit)
+    key = [str(mutant.path.relative_to(tree)), str(mutant.line), mutant.operator, mutant.text]
+    with open(table, encoding="utf-8", newline="") as file:
+        rows = [row for row in csv.reader(file) if row[:4] != key]
+    with open(table, "w", encoding="utf-8", newline="") as file:
+        csv.writer(file, lineterminator="\n").writerows([*rows, [*key, mutant.found or ""]])
 print(f"{sum(bool(mutant.found) for mutant in mutants)} of {len(mutants)} found")
-path = root / "data" / "benchmarks" / "mutants.csv"
-with open(path, encoding="utf-8", newline="") as file:
-    rows = {tuple(row[:4]): row[4] for row in csv.reader(file)}
-rows |= {(str(mutant.path.relative_to(tree)), str(mutant.line), mutant.operator, mutant.text): mutant.found or ""
-         for mutant in mutants}  # fmt: skip
-with open(path, "w", encoding="utf-8", newline="") as file:
-    csv.writer(file, lineterminator="\n").writerows([*key, found] for key, found in rows.items())
