@@ -255,8 +255,8 @@ Coefficients linear_start(const Falloff& falloff) {
 
 FalloffMinimum approach(const Falloff& falloff, const Coefficients& start, double tolerance) {
   constexpr double kMinDamping = 1e-2, kMaxDamping = 1e8;
-  constexpr std::size_t kMaxSteps =
-      1000;  // found by fuzzing: zeros released and blocked in turn, each time with a tiny fall
+  // Fuzzing found a table whose zeros are released and blocked in turn without end, each time with a tiny fall.
+  constexpr std::size_t kMaxSteps = 1000;
   FalloffMinimum minimum{.coefficients = within_bounds(falloff, start)};
   auto& q = minimum.coefficients;
   Slopes<double> at = slopes_at(falloff, q, Bend::upward);

@@ -87,7 +87,7 @@ constexpr AngleLimits limits_of(PhotometryType type) {
 
 /// Whether planes of type C span the whole turn, or the part left by a symmetry.
 bool is_turn(const std::vector<double>& planes_deg);
-inline constexpr const char* kTurns =
+inline constexpr const char* kTurns =  ///< those planes, for messages
     "planes at 0, from 0 to 90, 180 or 360, from 90 to 270, from -90 to 90, or from -180 to 180";
 
 /// Whether planes of type C in degrees go all round: the gap to the first one is at most the widest step.

@@ -173,7 +173,7 @@ Luminaire parse_tm33(std::string text, const std::string& name) {
   const std::vector<double> vertical = sorted_angles(entries, &Entry::vertical);
   expect_grid(scanner, entries, horizontal, vertical);
   const bool is_c = type == PhotometryType::c;
-  if (is_c && !is_turn(horizontal)) xml.fail(data, std::string("must have one of horizontal ") + kTurns);
+  if (is_c && !is_turn(horizontal)) xml.fail(data, std::string("must have horizontal ") + kTurns);
   if (vertical.size() < 2 || (!is_c && horizontal.size() < 2)) {
     xml.fail(data, "must have two vertical angles or more, and in types A and B two horizontal ones");
   }

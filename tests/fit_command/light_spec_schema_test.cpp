@@ -14,7 +14,8 @@ namespace {
 
 /// Between them they have every member.
 constexpr std::array kSpecs{
-    R"({"$schema": "s", "litfog": "light-spec", "version": 1, "name": "a", "source": ["a", "b"], "color": [1, 0.5, 0], "density_scale": 0.4,
+    R"({"$schema": "s", "litfog": "light-spec", "version": 1, "name": "a", "source": ["a", "b"],
+      "color": [1, 0.5, 0], "density_scale": 0.4,
       "source_radius_m": 0.1, "flash": {"period_s": 1, "flashes": [{"start_s": 0, "duration_s": 0.1, "intensity": 2}]},
       "range": {"threshold": 0.05, "extent_m": 120, "constant": 1,
                 "samples": [{"range_m": 10, "attenuation": 0.8, "weight": 1}, {"range_m": 20, "attenuation": 0.5}]},

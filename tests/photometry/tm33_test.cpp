@@ -216,7 +216,7 @@ TEST(Tm33, BadIntensitiesAreAnErrorAtTheirLocation) {
             "B two horizontal ones");
   EXPECT_EQ(error(nadir + "<IntData h=\"0\" v=\"90\">1</IntData><IntData h=\"45\" v=\"0\">1</IntData>"
                           "<IntData h=\"45\" v=\"90\">1</IntData>"),
-            "6:15: element = LuminousIntensity: must have one of horizontal planes at 0, from 0 to 90, 180 or 360, "
+            "6:15: element = LuminousIntensity: must have horizontal planes at 0, from 0 to 90, 180 or 360, "
             "from 90 to 270, from -90 to 90, or from -180 to 180");
 }
 
