@@ -89,8 +89,8 @@ Scaled scale(const AttenuationTarget& target) {
 
 /// Recomputes L or Q, whichever has the larger term at the extent, so that the extent is exact despite rounding.
 void meet_extent(Attenuation& attenuation, double extent, double threshold) {
-  const long double e = extent;
-  const long double rest = 1 / static_cast<long double>(threshold) - attenuation.constant;
+  const long double e = extent, level = threshold;
+  const long double rest = std::fma(-level, attenuation.constant, 1.0L) / level;  // 1 / level - C would cancel
   const long double linear = attenuation.linear * e, quadratic = attenuation.quadratic * e * e;
   if (linear > quadratic) {
     attenuation.linear = double((rest - quadratic) / e);

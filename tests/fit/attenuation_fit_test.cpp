@@ -185,10 +185,10 @@ TEST(AttenuationFit, NoSearchFromManyStartsFindsABetterFit) {
 
 TEST(AttenuationFit, EveryExtentIsMetExactly) {
   Random random(7);
-  WorstError error("extent", "1e-29..1e29 m, t 1e-6..0.99", 1e-12, "relative");
+  WorstError error("extent", "1e-29..1e29 m, t 1e-6..1 - 1e-15", 1e-12, "relative");
   for (int i = 0; i < scaled_count(3000); ++i) {
-    AttenuationTarget target{.threshold = random.chance(0.5) ? 0.05 : random.log_uniform(1e-6, 0.99),
-                             .extent = random.log_uniform(1e-29, 1e29)};
+    const std::array thresholds{0.05, random.log_uniform(1e-6, 0.99), 1 - random.log_uniform(1e-15, 0.1)};
+    AttenuationTarget target{.threshold = random.pick(thresholds), .extent = random.log_uniform(1e-29, 1e29)};
     const double top = 1 / target.threshold;
     if (random.chance(0.5)) {
       target.constant = top * random.pick(std::array{0.0, random.uniform(0, 1), 1 - random.log_uniform(1e-5, 1)});
