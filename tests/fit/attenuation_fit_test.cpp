@@ -451,6 +451,19 @@ TEST(AttenuationFit, InfeasibleConstantIsAnsweredWithThoseThatTheExtentLeaves) {
   EXPECT_NEAR(compute_extent(fit.attenuation, 0.05), 100, 1e-10) << "the nearest that has the extent";
 }
 
+TEST(AttenuationFit, DescentThatKeepsReleasingAZeroEnds) {  // found by fuzzing
+  const AttenuationFit fit = fit_attenuation({.threshold = 7.3846346333570912e-23,
+                                              .constant = 1.3241371730719977e-155,
+                                              .samples = {{0, 0.050599792930055169, 3.4518041449244e+58},
+                                                          {1.2589254117941714e-30, 0.1963171108719009, 7.2e-17},
+                                                          {3.9826937178995515e-30, 1, 4.4312112616156167e-11},
+                                                          {1.1797509749272338e-14, 1, 1.162283048636004e+39},
+                                                          {3.5210076723444488e-08, 0.028856595538672095, 8.2e+68},
+                                                          {0.00028712556965185515, 0.088078308975014646, 2.3e-07}}});
+  EXPECT_EQ(fit.status, AttenuationFitStatus::infeasible);
+  EXPECT_TRUE(fit.sentence.starts_with("attenuation 0.0505998 at 0 m cannot be reached")) << fit.sentence;
+}
+
 TEST(AttenuationFit, InfeasibleSampleIsAnsweredWithTheRangesThatReachIt) {
   const auto sentence = [](const AttenuationTarget& target) {
     const AttenuationFit fit = fit_attenuation(target);
