@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -271,6 +272,30 @@ TEST(MultipleScattering, InLayersNothingJumps) {
   }
 }
 
+// Along a ray that enters the layers from clear air, M depends neither on where the eye is nor on where the ray ends.
+TEST(MultipleScattering, ClearAirOnEitherSideOfLayersChangesNothing) {
+  Random random(4205);
+  Atmosphere air = uniform_fog(0);
+  air.profile = make_density_profile(std::array<DensityKnot, 4>{{{0, 0}, {1, 0.08}, {6, 0.03}, {9, 0}}});
+  const ScatteringTable table = make_scattering_table(air);
+  WorstError error("multiple_scattering", "eye and end of the ray in clear air", 1e-12, "relative");
+  for (int i = 0; i < 300; ++i) {
+    PlacedLight lamp = inverse_square_lamp({random.uniform(-20, 20), random.uniform(-3, 15), random.uniform(-40, 10)});
+    if (i % 3 == 0) lamp.light.cone = Cone::smoothstep(0.3, 0.8);
+    const dvec3 direction = glm::normalize(dvec3{0, random.chance(0.5) ? -1 : 1, -random.log_uniform(0.1, 10)});
+    const auto along = [&](double before, double after) {
+      const double entry = direction.y < 0 ? 9 : 0;
+      const dvec3 origin = dvec3{0, entry, 0} - before * direction;
+      return multiple_scattering(
+          lamp, air, table,
+          {.origin = origin, .direction = direction, .length = before + 9 / std::abs(direction.y) + after});
+    };
+    error.add(relative_error(along(random.log_uniform(0.1, 100), random.log_uniform(0.1, 100)), along(0, 0)),
+              [&] { return "light " + std::to_string(i); });
+  }
+  error.check();
+}
+
 // Eyes, lamps and surfaces on knots, layers of no fog and of all, rays along them.
 TEST(MultipleScattering, IsFiniteOnTheEdgesOfLayers) {
   for (const double density : {0.0, 1e-300, 0.1, 1e9, 1e300}) {
@@ -414,6 +439,31 @@ TEST(MultipleScattering, PartsOfARayAddUp) {
                        std::exp(-air.fog.density * part) * multiple_scattering(lamp, air, table, far);
     EXPECT_NEAR(sum, all, 0.05 * endless + 1e-9 * all) << part << " of " << whole_length;
   }
+}
+
+// Some rays are aimed at the lamp, before and behind which a beam's light differs most.
+TEST(MultipleScattering, PartsOfARayInLayersAddUp) {
+  Random random(4206);
+  Atmosphere air = uniform_fog(0.002);
+  air.profile = make_density_profile(std::array<DensityKnot, 3>{{{0, 0.02}, {5, 0.05}, {30, 0}}});
+  const ScatteringTable table = make_scattering_table(air);
+  WorstError error("multiple_scattering", "two parts of a ray in layers, 24 stretches", 0.02, "relative");
+  for (int i = 0; i < 300; ++i) {
+    PlacedLight lamp = inverse_square_lamp({random.uniform(-20, 20), random.uniform(0, 20), -random.uniform(5, 60)});
+    if (i % 3 == 0) lamp.light.cone = Cone::smoothstep(0.3, 0.8);
+    EyeRay whole{.origin = {0, random.uniform(1, 9), 0}, .direction = draw_direction(random), .length = 200};
+    if (i % 4 == 0) whole.direction = glm::normalize(lamp.position - whole.origin);
+    EyeRay near = whole, far = whole;
+    near.length = random.uniform(1, 100);
+    far.origin += near.length * whole.direction;
+    far.length -= near.length;
+    const double depth = near.length * (air.fog.density + mean_density(air.profile, near.origin.y, far.origin.y));
+    error.add(relative_error(multiple_scattering(lamp, air, table, near) +
+                                 std::exp(-depth) * multiple_scattering(lamp, air, table, far),
+                             multiple_scattering(lamp, air, table, whole)),
+              [&] { return "ray " + std::to_string(i); });
+  }
+  error.check();
 }
 
 TEST(MultipleScattering, ManyRaysAreEachOnes) {
