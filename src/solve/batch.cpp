@@ -424,7 +424,7 @@ HWY_INLINE Peak<V> place_peak(D d, const Lanes<V>& in, V stationary) {
   const V one = hn::Set(d, 1);
   // The denominator without the constant, beside which the rise from a constant of almost 1 would round away.
   const auto rise_at = [&](double fraction) HWY_ATTR {
-    const V range = fraction == 1 ? stationary : hn::Mul(stationary, hn::Set(d, fraction));
+    const V range = fraction == 1 ? stationary : hn::Mul(stationary, hn::Set(d, hn::TFromD<D>(fraction)));
     return hn::Mul(hn::MulAdd(in.quadratic, range, in.linear), range);
   };
   const auto at_extent = hn::Ge(hn::Mul(hn::Add(rise_at(1 + kMargin), in.constant), in.threshold), one);

@@ -93,9 +93,9 @@ class Mutant:
 count = int(sys.argv[1]) if len(sys.argv) > 1 else 100
 shutil.rmtree(tree, ignore_errors=True)
 tree.mkdir(parents=True)
-subprocess.run(f"git -C {root} ls-files -z | tar -C {root} --null -T - -c | tar -C {tree} -x", shell=True, check=True)
+subprocess.run(f"git -C {root} ls-files -z | tar -C {root} --null -T - -c | tar -C {tree} -xm", shell=True, check=True)
 subprocess.run(["cmake", "-S", tree, "-B", build, "-G", "Ninja", "--log-level=NOTICE", "-DCMAKE_BUILD_TYPE=Debug",
-                "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -DHWY_COMPILE_ONLY_STATIC", "-DLITFOG_BUILD_FIT=OFF",
+                "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -march=native -DHWY_COMPILE_ONLY_STATIC", "-DLITFOG_BUILD_FIT=OFF",
                 "-DLITFOG_BUILD_APPS=OFF", "-DLITFOG_BUILD_GL=OFF", "-DLITFOG_BUILD_TESTS=ON"], check=True)  # fmt: skip
 assert make(quiet=False)
 files = [path for folder in ("model", "solve", "airlight", "culling", "tables")
