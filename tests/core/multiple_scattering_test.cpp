@@ -425,10 +425,11 @@ TEST(MultipleScattering, PartsOfARayAddUp) {
   const Atmosphere air = uniform_fog(0.03, Phase::droplets(12));
   const ScatteringTable table = make_scattering_table(air);
   for (int i = 0; i < 500; ++i) {
-    const PlacedLight lamp = inverse_square_lamp({0, 0, -random.log_uniform(1, 200)});
+    PlacedLight lamp = inverse_square_lamp({0, 0, -random.log_uniform(1, 200)});
+    if (i % 3 == 0) lamp.light.cone = Cone::smoothstep(0.3, 0.8);
     const double whole_length = random.chance(0.2) ? kInfinity : random.log_uniform(1, 1000);
     const double part = random.uniform(0, std::min(whole_length, 300.0));
-    EyeRay whole = ray_at(random.uniform(0.01, pi), whole_length), near = whole, far = whole;
+    EyeRay whole = ray_at(i % 4 == 0 ? 0 : random.uniform(0.01, pi), whole_length), near = whole, far = whole;
     near.length = part;
     far.origin += part * far.direction;
     far.length -= part;

@@ -242,8 +242,7 @@ LITFOG_REAL litfog_end_of_sight(LitfogAirlight air, LITFOG_REAL first, LITFOG_RE
 }
 
 // M of the ray between two distances from the eye, on which it is divided into stretches: the shorter the nearer they
-// are to the lamp. No stretch is on both sides of it, because a beam lights one far more than the other. Where `beside`
-// passes the lamp farther off than the ray, its light is subtracted.
+// are to the lamp. Where `beside` passes the lamp farther off than the ray, its light is subtracted.
 LITFOG_REAL litfog_scattered_between(LitfogAirlight air, LitfogAirlight beside, LitfogSlab slab, LITFOG_REAL first,
                                      LITFOG_REAL last, int stretches, LITFOG_REAL soft_range, LITFOG_REAL beam,
                                      LITFOG_REAL phase_cosine) {
@@ -251,16 +250,13 @@ LITFOG_REAL litfog_scattered_between(LitfogAirlight air, LitfogAirlight beside, 
                      LITFOG_REAL(1.0) / min(litfog_largest_layer_density(air), LITFOG_REAL(LITFOG_DENSEST_FOG));
   LITFOG_REAL width = max(air.offset, litfog_shortest_stretch * near);
   LITFOG_REAL start = asinh((first - air.approach) / width);
-  LITFOG_REAL step = (asinh((last - air.approach) / width) - start) / LITFOG_REAL(stretches);
-  int at_lamp = 0;
-  if (start < LITFOG_REAL(0.0)) at_lamp = int(min(LITFOG_REAL(0.5) - start / step, LITFOG_REAL(stretches)));
+  LITFOG_REAL end = asinh((last - air.approach) / width);
   LITFOG_REAL sum = LITFOG_REAL(0.0);
   LITFOG_REAL from = first;
   LITFOG_REAL hidden = litfog_depth_of_stretch(air, LITFOG_REAL(0.0), first);
   for (int i = 1; i <= stretches; ++i) {
-    LITFOG_REAL t = i == at_lamp ? LITFOG_REAL(0.0) : start + step * LITFOG_REAL(i);
     LITFOG_REAL to = last;
-    if (i < stretches) to = clamp(air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)), from, last);
+    if (i < stretches) to = clamp(air.approach + litfog_piece_end(start, end, width, i, stretches), from, last);
     LitfogLayeredStretch stretch = litfog_layered_stretch(air, slab, from, to, hidden, phase_cosine);
     sum += litfog_scattered_in_stretch(air, stretch, soft_range, beam, phase_cosine);
     if (beside.offset > air.offset) sum -= litfog_scattered_in_stretch(beside, stretch, soft_range, beam, phase_cosine);

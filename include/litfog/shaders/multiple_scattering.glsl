@@ -224,6 +224,18 @@ LitfogScatteredLight litfog_scattered_light(LITFOG_REAL density, LITFOG_REAL ran
   return light;
 }
 
+// Where piece i of a ray ends, metres from its closest approach. Pieces are the shorter the nearer they are to the lamp.
+// None is on both sides of it, because a beam lights one far more than the other.
+//
+// first, last  asinh of the ray's ends over the width
+// width        of the pieces at the lamp, metres
+LITFOG_REAL litfog_piece_end(LITFOG_REAL first, LITFOG_REAL last, LITFOG_REAL width, int i, int pieces) {
+  LITFOG_REAL step = (last - first) / LITFOG_REAL(pieces);
+  LITFOG_REAL t = first + step * LITFOG_REAL(i);
+  if (max(t, -t) <= LITFOG_REAL(0.5) * step) t = LITFOG_REAL(0.0);
+  return width * LITFOG_REAL(0.5) * (exp(t) - exp(-t));
+}
+
 // M of a cone along a ray of exp fog, over the lamp's effective intensity: that of a point lamp, piece by piece of the
 // ray.
 LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL soft_range, LITFOG_REAL beam,
@@ -238,8 +250,7 @@ LITFOG_REAL litfog_multiple_scattering(LitfogAirlight air, LITFOG_REAL soft_rang
   LITFOG_REAL begin = LITFOG_REAL(0.0);
   LITFOG_REAL beyond = litfog_scattered_from(air, -air.approach, LITFOG_REAL(0.0), soft_range);
   for (int i = 0; i < pieces; ++i) {
-    LITFOG_REAL t = first + (last - first) * LITFOG_REAL(i + 1) / LITFOG_REAL(pieces);
-    LITFOG_REAL end = i + 1 < pieces ? air.approach + width * LITFOG_REAL(0.5) * (exp(t) - exp(-t)) : farthest;
+    LITFOG_REAL end = i + 1 < pieces ? air.approach + litfog_piece_end(first, last, width, i + 1, pieces) : farthest;
     end = clamp(end, begin, max(begin, farthest));
     LITFOG_REAL next = litfog_scattered_beyond(air, end, LITFOG_REAL(0.0), soft_range);
     sum += max(beyond - next, LITFOG_REAL(0.0)) *
