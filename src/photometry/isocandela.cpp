@@ -97,9 +97,11 @@ bool has_decimal_points(std::string_view text) {
 struct Cell {
   std::string text;
   InputLocation location;
+  bool is_missing = false;  ///< the file ended before it
 };
 
 [[noreturn]] void fail(const Cell& cell, std::string_view what, std::string_view rule) {
+  if (cell.is_missing) throw InputError(cell.location, what, "", "must be given, but the file ends here");
   if (cell.text.empty()) throw InputError(cell.location, what, "", "must be given");
   throw InputError(cell.location, what, excerpt(cell.text), rule);
 }
@@ -124,7 +126,7 @@ class Rows {
         file_(fmemopen(text_.data(), text_.size(), "r"), std::fclose),
         reader_(file_.get(), name, separator_) {}
 
-  /// The next row, with as many cells as the first, or a single empty cell at the end.
+  /// The next row, with as many cells as the first, or a single missing cell at the end.
   std::vector<Cell> next() {
     while (reader_.read(record_)) {
       if (record_.error() != nullptr) {
@@ -149,10 +151,8 @@ class Rows {
       throw InputError(cells.back().location, "number of cells", std::to_string(cells.size()),
                        "must be " + std::to_string(count_) + ", as in the header");
     }
-    is_at_end_ = true;
-    return {{"", located(reader_.location())}};
+    return {{"", located(reader_.location()), true}};
   }
-  bool is_at_end() const { return is_at_end_; }
 
   double number(const Cell& cell, std::string_view what) const {
     const bool has_comma = cell.text.find(',') != std::string::npos;
@@ -189,7 +189,6 @@ class Rows {
   CsvRecord record_;
   std::string name_;
   std::size_t count_ = 0;
-  bool is_at_end_ = false;
 };
 
 double angle_deg(const Rows& rows, const Cell& cell, std::string_view what, double limit) {
@@ -243,7 +242,7 @@ std::vector<GridRow> parse_grid_rows(Rows& rows, Luminaire& luminaire) {
   Largest largest;
   Cell last;
   for (auto cells = rows.next();; cells = rows.next()) {
-    if (rows.is_at_end()) {
+    if (cells.front().is_missing) {
       if (table.size() < 2) fail(cells.front(), "second row of candela", "");
       break;
     }
@@ -291,7 +290,7 @@ void parse_ellipses(Rows& rows, Luminaire& luminaire) {
   constexpr std::string_view kHorizontal = "horizontal half axis", kVertical = "vertical half axis";
   std::vector<IsocandelaEllipse> ellipses;
   for (auto cells = rows.next();; cells = rows.next()) {
-    if (rows.is_at_end()) {
+    if (cells.front().is_missing) {
       if (ellipses.empty()) fail(cells.front(), "row of an ellipse", "");
       break;
     }

@@ -125,7 +125,7 @@ TEST(Isocandela, WrongTablesAreErrorsAtTheirCells) {
   EXPECT_EQ(error_of("vertical_deg,1\n"), "1:14: header = 1: must have at least two horizontal angles");
   EXPECT_EQ(error_of("vertical_deg,1,1\n"), "1:16: horizontal angle = 1: must be greater than the one before");
   EXPECT_EQ(error_of("vertical_deg,1,181\n"), "1:16: horizontal angle = 181: must be in [-180, 180]");
-  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,1\n"), "3:1: second row of candela: must be given");
+  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,1\n"), "3:1: second row of candela: must be given, but the file ends here");
   EXPECT_EQ(error_of("vertical_deg,1,2\n0,1\n"), "2:3: number of cells = 2: must be 3, as in the header");
   EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,\n"), "2:5: candela: must be given");
   EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,-1\n"), "2:5: candela = -1: must be in [0, 1e30]");
@@ -134,7 +134,7 @@ TEST(Isocandela, WrongTablesAreErrorsAtTheirCells) {
             "4:1: vertical angle = 4: must rise from row to row, or fall from row to row");
   EXPECT_EQ(error_of("vertical_deg,1,2\n0,0,0\n5,0,0\n"), "3:5: candela = 0: must not be 0 as all others are");
   const std::string ellipses = "candela,horizontal_deg,vertical_deg\n";
-  EXPECT_EQ(error_of(ellipses), "2:1: row of an ellipse: must be given");
+  EXPECT_EQ(error_of(ellipses), "2:1: row of an ellipse: must be given, but the file ends here");
   EXPECT_EQ(error_of(ellipses + "100,5,x\n"), "2:7: vertical half axis = x: must be a finite number");
   EXPECT_EQ(error_of(ellipses + "0,5,5\n"), "2:1: candela = 0: must be > 0");
   EXPECT_EQ(error_of(ellipses + "100,5,181\n"), "2:7: vertical half axis = 181: must be in (0, 180]");
@@ -161,7 +161,8 @@ TEST(Isocandela, DamagedTablesAreReadOrAreErrors) {
 
 TEST(Isocandela, HostileTextTakesLinearTime) {
   const std::size_t kMany = 4'000'000;  // time that grows with the square would not end here
-  EXPECT_EQ(error_of("vertical_deg;0;5\n0;" + std::string(kMany, ';') + "1.200\n"), "2:1: record: must not have more than 65,536 fields");
+  EXPECT_EQ(error_of("vertical_deg;0;5\n0;" + std::string(kMany, ';') + "1.200\n"),
+            "2:1: record: must not have more than 65,536 fields");
 }
 
 }  // namespace
