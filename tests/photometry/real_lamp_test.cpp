@@ -92,15 +92,5 @@ TEST(RealLamps, LampSendsOutItsStatedFluxOrLessThanItsLampsGive) {
   }
 }
 
-TEST(RealLamps, EveryMutationIsReadOrAnError) {
-  for (const std::string file : kFiles) {
-    SCOPED_TRACE(file);
-    const std::string text = bytes_of(LITFOG_PHOTOMETRY_DIR "/" + file);
-    expect_mutations_read_or_fail(text, 2000, 3, [&](const std::string& mutated) {
-      return file.ends_with(".ies") ? parse_ies(mutated, file) : parse_eulumdat(mutated, file);
-    });
-  }
-}
-
 }  // namespace
 }  // namespace litfog::test
