@@ -555,6 +555,24 @@ TEST_F(GltfScene, AMeshIsCountedBeforeItIsMade) {
 }
 
 // 33 times 2^22 texels would be more than all pictures may have.
+/// The first bytes of a grey PNG of 16,384 pixels a side, or of one as wide and a pixel high, up to its pixels.
+std::string large_png(bool is_high) {
+  return std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\x40", 19) +
+         (is_high ? std::string("\0\0\0\x40\0\b\0\0\0\0\x8C\xA3\x4F\x58", 14)
+                  : std::string("\1\0\0\0\1\b\0\0\0\0\xEC\x36\x82\xBA", 14)) +
+         std::string("\0\0\0\0IDAT\x35\xAF\x06\x1E", 12);
+}
+
+TEST_F(GltfScene, PicturesWithTooManyPixelsFailBeforeTheyAreDecoded) {
+  material()["pbrMetallicRoughness"]["baseColorTexture"] = {{"index", 0}};
+  file_["textures"] = {{{"source", 0}}};
+  file_["images"] = {{{"uri", "large.png"}}};
+  write("large.png", large_png(true));
+  EXPECT_EQ(error_of(file_), "images[0] = an object: pictures must be at most 134217728 pixels in all");
+  write("large.png", large_png(false));
+  EXPECT_EQ(error_of(file_), "images[0] = an object: must be at most 16384 pixels a side");
+}
+
 TEST_F(GltfScene, MaterialsShareAPicture) {
   constexpr int kSide = 2048;
   png(path("atlas.png"), std::vector<std::uint8_t>(std::size_t{3} * kSide * kSide, 99), kSide);
