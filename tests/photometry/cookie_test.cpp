@@ -51,16 +51,20 @@ TEST(Cookie, TexelsHoldTheBeamWhereAGlCubeMapLooksItUp) {
   }
   const double peak = find_peak(beam).intensity;
   constexpr int kSize = 32;
-  const Cookie cookie = bake_cookie(beam, kSize);
-  ASSERT_EQ(cookie.size, kSize);
-  ASSERT_EQ(cookie.texels.size(), 6u * kSize * kSize);
   // A texel's centre is at most half its diagonal away, sqrt(2) / 32 on the cube; the beam's gradient is at most
   // |(30, 20, 40)| < 54 a radian.
   const double bound = 54 * std::sqrt(2) / kSize / peak;
   Random random(8);
-  for (int i = 0; i < 10000; ++i) {
-    const auto direction = draw_direction(random);
-    EXPECT_NEAR(cookie.texels[selected_texel(direction, kSize)], intensity_at(beam, direction) / peak, bound);
+  for (const glm::dvec3& axis : {kPhotometricAxis, glm::dvec3(0.6, -0.3, 0.5), glm::dvec3(-1, 2, 0.2)}) {
+    const Cookie cookie = bake_cookie(beam, kSize, axis);
+    ASSERT_EQ(cookie.size, kSize);
+    ASSERT_EQ(cookie.texels.size(), 6u * kSize * kSize);
+    const glm::dvec3 right = glm::normalize(glm::cross(axis, {0, 1, 0})), up = glm::normalize(glm::cross(right, axis));
+    for (int i = 0; i < 3000; ++i) {
+      const auto direction = draw_direction(random);
+      const glm::dvec3 seen = direction.x * right + direction.y * up - direction.z * glm::normalize(axis);
+      EXPECT_NEAR(cookie.texels[selected_texel(direction, kSize)], intensity_at(beam, seen) / peak, bound);
+    }
   }
 }
 
