@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cassert>
 #include <limits>
 
 #include "fit/branch_and_bound.h"
@@ -62,6 +63,9 @@ constexpr double kMinSmooth = 1e-6;
 
 /// Steps from the reference, as fractions of its D, below which h loses digits: from here on it has twelve.
 constexpr double kMinStep = 0.1;
+
+/// Curvatures of terms with a larger D underflow.
+constexpr double kLargestSquared = 1e150;
 
 /// Relative tolerance of the objective for a reference that is not a minimum: its slope hardly weakens the bounds.
 constexpr double kReferenceTolerance = 1e-8;
@@ -340,6 +344,8 @@ class HeldSearch {
     // The cheap ones first: one that closes the box is enough.
     double bound = 0;
     const auto is_enough = [&](double next) {
+      assert(is_below_cost_at(point, next));
+      assert(falloff_.end || (is_below_cost_at(low, next) && is_below_cost_at(high, next)));
       bound = std::max(bound, next);
       return is_closed(held_cost_ + bound);
     };
@@ -348,6 +354,19 @@ class HeldSearch {
     }
     if (!is_convex()) is_enough(reference_curvature_bound(box));
     return bound;
+  }
+
+  /// Whether a bound is below the terms' sum at a point of the box, but for the open gap, or need not be because a D is
+  /// outside its range there.
+  bool is_below_cost_at(const Coefficients& point, double bound) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < terms_.size(); ++i) {
+      const double d = denominator(point, terms_[i].x);
+      const Interval& range = is_held(i) ? terms_[i].d : ranges_[i].d;
+      if (!(d >= range.low && d <= range.high)) return true;
+      if (!is_held(i)) sum += least_cost(terms_[i], {{d, d}, {std::log(d), std::log(d)}});
+    }
+    return bound <= sum + kGap * (sum + best_.objective) + falloff_.negligible();
   }
 
   /// Whether all terms are convex in the box and from there to the reference. Then the lines are tangents, and
@@ -391,7 +410,7 @@ class HeldSearch {
     return sum.value + smallest_of(sum.slope, box);
   }
 
-  /// Inequality 2 about the reference; 0 if a term has no tangent there.
+  /// Inequality 2 about the reference; 0 if a term has no tangent there, or a D is too large for its square.
   double reference_curvature_bound(const Box& box) const {
     if (!is_reference_smooth_) return 0;
     Plane tangents;
@@ -400,6 +419,7 @@ class HeldSearch {
       const Term& term = terms_[i];
       tangents.add(term.tangent, term.x);
       if (is_held(i)) continue;
+      if (ranges_[i].d.high > kLargestSquared) return 0;
       add_square(curvature, least_curvature(term, ranges_[i]), term.x);
     }
     return tangents.value + smallest_of(tangents.slope, box) + smallest_bend(curvature, reference_, box);
