@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -72,7 +73,9 @@ class ConeSearch {
       ConeCandidate candidate = profile_.descend(*start, optimum_.iterations);
       if (candidate.objective < optimum_.best.objective) optimum_.best = std::move(candidate);
     }
-    return profile_.bound(box, objective);
+    const double bound = profile_.bound(box, objective);
+    assert(is_below_corners(box, bound));
+    return bound;
   }
   std::optional<std::array<ConeBox, 2>> split(const ConeBox& box) const {
     const std::size_t widest = box.most[0] - box.least[0] >= box.most[1] - box.least[1] ? 0 : 1;
@@ -82,6 +85,17 @@ class ConeSearch {
   }
 
  private:
+  /// Whether a bound is below the objective at those corners of a box that are cones, but for rounding.
+  bool is_below_corners(const ConeBox& box, double bound) const {
+    for (const double x : {box.least[0], box.most[0]}) {
+      for (const double y : {box.least[1], box.most[1]}) {
+        const auto corner = profile_.start({{x, y}, {x, y}});
+        if (corner && bound > profile_.objective(*corner) * (1 + kGap) + exact_) return false;
+      }
+    }
+    return true;
+  }
+
   static constexpr std::size_t kMaxBoxes = 1'000'000;
   static constexpr double kGap = 5e-4;  // fraction of the objective that the bounds leave open
 
