@@ -268,8 +268,13 @@ TEST_F(GltfFeature, PicturesAreSampledAsTheirSamplersSay) {
   material()["normalTexture"]["index"] = 1;
   EXPECT_EQ(read_file().materials[0].albedo->sampling, given);
   EXPECT_EQ(read_file().materials[0].normal->sampling, Sampling{});
-  file_["samplers"][0]["minFilter"] = 9728;
-  EXPECT_EQ(read_file().materials[0].albedo->sampling.mipmaps, Sampling::Mipmaps::none);
+  using enum Sampling::Mipmaps;
+  for (const auto& [filter, mipmaps] :
+       {std::pair(9728, none), {9729, none}, {9984, nearest}, {9985, nearest}, {9986, linear}, {9987, linear}}) {
+    file_["samplers"][0]["minFilter"] = filter;
+    EXPECT_EQ(read_file().materials[0].albedo->sampling.mipmaps, mipmaps) << filter;
+    EXPECT_EQ(read_file().materials[0].albedo->sampling.minified == Sampling::Filter::linear, filter % 2 == 1);
+  }
   file_["samplers"][0]["wrapS"] = 1;
   EXPECT_EQ(error(), "samplers[0].wrapS = 1: must be 10497, 33071 or 33648");
 }
