@@ -332,9 +332,11 @@ TEST_F(GltfFeature, AccessorWithoutAViewIsZeros) {
 }
 
 TEST_F(GltfFeature, ViewWhoseElementsOverlapIsRefused) {
-  file_["bufferViews"][0]["byteStride"] = 8;
-  EXPECT_EQ(error(),
-            "bufferViews[0].byteStride = 8: must be a multiple of 4, at most 252 and at least an element's 12 bytes");
+  for (const int stride : {8, 14, 256}) {
+    file_["bufferViews"][0]["byteStride"] = stride;
+    EXPECT_EQ(error(), "bufferViews[0].byteStride = " + std::to_string(stride) +
+                           ": must be a multiple of 4, at most 252 and at least an element's 12 bytes");
+  }
 }
 
 /// The floor's first two vertices on one joint of a skin, the others halfway between both joints.
