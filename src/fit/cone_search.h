@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
@@ -85,12 +86,14 @@ class ConeSearch {
   }
 
  private:
-  /// Whether a bound is below the objective at those corners of a box that are cones, but for rounding.
+  /// Whether a bound is below the objective at those corners of a box that are cones, but for rounding. An edge of a
+  /// few units in the last place has no digits.
   bool is_below_corners(const ConeBox& box, double bound) const {
     for (const double x : {box.least[0], box.most[0]}) {
       for (const double y : {box.least[1], box.most[1]}) {
         const auto corner = profile_.start({{x, y}, {x, y}});
-        if (corner && bound > profile_.objective(*corner) * (1 + kGap) + exact_) return false;
+        if (corner && std::abs(x - y) > 1e-12 * y && bound > profile_.objective(*corner) * (1 + kGap) + exact_)
+          return false;
       }
     }
     return true;

@@ -152,6 +152,7 @@ class HeldSearch {
       refer_to_held_minimum();
       bound = std::max(bound, held_cost_ + lower_bound(box));
     }
+    assert(is_below_cost(box, bound));
     return bound;
   }
 
@@ -344,8 +345,6 @@ class HeldSearch {
     // The cheap ones first: one that closes the box is enough.
     double bound = 0;
     const auto is_enough = [&](double next) {
-      assert(is_below_cost_at(point, next));
-      assert(falloff_.end || (is_below_cost_at(low, next) && is_below_cost_at(high, next)));
       bound = std::max(bound, next);
       return is_closed(held_cost_ + bound);
     };
@@ -356,17 +355,19 @@ class HeldSearch {
     return bound;
   }
 
-  /// Whether a bound is below the terms' sum at a point of the box, but for the open gap, or need not be because a D is
-  /// outside its range there.
-  bool is_below_cost_at(const Coefficients& point, double bound) const {
-    double sum = 0;
-    for (std::size_t i = 0; i < terms_.size(); ++i) {
-      const double d = denominator(point, terms_[i].x);
-      const Interval& range = is_held(i) ? terms_[i].d : ranges_[i].d;
-      if (!(d >= range.low && d <= range.high)) return true;
-      if (!is_held(i)) sum += least_cost(terms_[i], {{d, d}, {std::log(d), std::log(d)}});
-    }
-    return bound <= sum + kGap * (sum + best_.objective) + falloff_.negligible();
+  /// Whether a bound is below the objective at the box's middle and two of its corners, but for the open gap, unless
+  /// they miss the end, or a D there is outside its interval.
+  bool is_below_cost(const Box& box, double bound) const {
+    return std::ranges::all_of(std::array{low_corner(box), middle(box), high_corner(box)}, [&](const Coefficients& q) {
+      Box point{{{q[0], q[0]}, {q[1], q[1]}, {q[2], q[2]}}};
+      if (!contract(point)) return true;
+      double sum = held_cost_;
+      for (std::size_t i = 0; i < terms_.size(); ++i) {
+        const double d = denominator(q, terms_[i].x), log_d = std::log(d);
+        if (!is_held(i)) sum += least_cost(terms_[i], {{d, d}, {log_d, log_d}});
+      }
+      return !(bound > sum + kGap * (sum + best_.objective) + falloff_.negligible());
+    });
   }
 
   /// Whether all terms are convex in the box and from there to the reference. Then the lines are tangents, and
