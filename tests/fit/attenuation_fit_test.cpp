@@ -375,11 +375,11 @@ TEST(AttenuationFit, FitNamesTheConstraintsThatHoldIt) {
 
 TEST(AttenuationFit, OutliersDoNotPullARobustFit) {
   Random random(10);
-  WorstError robust_error("robust fit", "3 of 20 samples 2.5 to 10 times too dark", 0.06, "of ln a");
+  WorstError robust_error("robust fit", "3 of 20 or 21 samples 2.5 to 10 times too dark", 0.06, "of ln a");
   double worst_plain = 0;
   for (int i = 0; i < 100; ++i) {
     const Attenuation light = draw_light(random, 60, false);
-    AttenuationTarget target{.samples = draw({light, 2, 60, 20, 0.01}, random), .is_robust = true};
+    AttenuationTarget target{.samples = draw({light, 2, 60, 20 + i % 2, 0.01}, random), .is_robust = true};
     for (const std::size_t k : {4u, 9u, 15u}) target.samples[k].attenuation *= random.uniform(0.1, 0.4);
     const auto off = [&](const AttenuationFit& fit) {
       double largest = 0;

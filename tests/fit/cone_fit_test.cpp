@@ -295,7 +295,7 @@ TEST(ConeFit, CosineMatchedAtTheBeamAngleMissesTheFieldAngleOfRealBeams) {
 
 TEST(ConeFit, FluxErrorComparesWithTheSamplesFlux) {
   // Linear from 1 to 0 in a right angle: 2 pi * integral of (1 - 2 u / pi) sin u = 2 pi (1 - 2 / pi).
-  const ConeFit fit = fit_cone(target_of(std::nullopt, {{0, 7}, {pi / 2, 0}}));
+  const ConeFit fit = fit_cone(target_of(std::nullopt, {{0, 7}, {pi / 4, 3.5}, {pi / 2, 0}}));
   const double flux = 2 * pi * (1 - 2 / pi);
   for (const ConeProfileFit& profile : fit.profiles) {
     EXPECT_NEAR(*profile.flux_error, flux_within(profile.cone, pi) / flux - 1, 1e-13);

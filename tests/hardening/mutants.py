@@ -4,7 +4,7 @@
 
 Takes COUNT operators, 100 by default and the same in each run of a SEED, out of the sources in FOLDERs, by default the
 core's, with the shaders whose text they share. Puts a wrong one in the place of each in a copy of the tree
-(build-mutants/tree), and runs the folder's tests. Prints each mutant and adds it to data/benchmarks/mutants.csv.
+(build-mutants/tree), and runs the folder's tests. Prints each mutant and adds those that compile to data/benchmarks/mutants.csv.
 """
 
 import csv
@@ -131,6 +131,8 @@ for mutant in mutants:
     with mutant:  # its own tests find most of them soon
         own = own_tests(mutant.path)
         mutant.found = mutant.found or found_by(mutant.path, own, limit) or found_by(mutant.path, f"*-{own}", limit)
+    if mutant.found == "the compiler":
+        continue
     key = [str(mutant.path.relative_to(tree)), str(mutant.line), mutant.operator, mutant.text]
     with open(table, encoding="utf-8", newline="") as file:
         rows = [row for row in csv.reader(file) if row[:4] != key]
