@@ -101,9 +101,7 @@ struct Cell {
 };
 
 [[noreturn]] void fail(const Cell& cell, std::string_view what, std::string_view rule) {
-  if (cell.is_missing) throw InputError(cell.location, what, "", "must be given, but the file ends here");
-  if (cell.text.empty()) throw InputError(cell.location, what, "", "must be given");
-  throw InputError(cell.location, what, excerpt(cell.text), rule);
+  fail_at(cell.location, what, cell.text, cell.is_missing, rule);
 }
 
 /// UTF-8 whose lines end in LF or CR LF.

@@ -56,6 +56,12 @@ std::string excerpt(std::string_view text) {
   return length < text.size() ? shown + "..." : shown;
 }
 
+void fail_at(InputLocation location, std::string_view what, std::string_view value, bool is_missing,
+             std::string_view rule) {
+  if (value.empty()) rule = is_missing ? "must be given, but the file ends here" : "must be given";
+  throw InputError(std::move(location), what, excerpt(value), rule);
+}
+
 std::string read_photometric_file(const std::string& path) { return read_file_text(path, kMaxPhotometricBytes); }
 
 TextScanner::TextScanner(std::string bytes, std::string name)
@@ -132,9 +138,7 @@ InputLocation TextScanner::location(const Piece& piece) const {
 }
 
 void TextScanner::fail(const Piece& piece, std::string_view what, std::string_view rule) const {
-  if (piece.is_missing) throw InputError(location(piece), what, "", "must be given, but the file ends here");
-  if (piece.text.empty()) throw InputError(location(piece), what, "", "must be given");
-  throw InputError(location(piece), what, excerpt(piece.text), rule);
+  fail_at(location(piece), what, piece.text, piece.is_missing, rule);
 }
 
 }  // namespace litfog

@@ -18,6 +18,10 @@ std::string read_photometric_file(const std::string& path);
 /// A value for a message: cut if long, control characters replaced.
 std::string excerpt(std::string_view text);
 
+/// "what = value: rule"; "what: must be given" for an empty value, and that the file ends there for a missing one.
+[[noreturn]] void fail_at(InputLocation location, std::string_view what, std::string_view value, bool is_missing,
+                          std::string_view rule);
+
 /// A photometric file's text, read piece by piece. Each error names the location of a piece.
 class TextScanner {
  public:
@@ -52,7 +56,7 @@ class TextScanner {
   void expect_no_more_numbers();
 
   InputLocation location(const Piece& piece) const;
-  /// "what = value: rule"; "what: must be given" for an empty piece, and that the file ends there for a missing one.
+  /// fail_at() a piece.
   [[noreturn]] void fail(const Piece& piece, std::string_view what, std::string_view rule) const;
 
  private:
