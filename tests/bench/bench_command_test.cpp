@@ -74,12 +74,18 @@ class BenchMeasurement : public BenchCommand {
 #endif
   }
 
-  /// The rows that a quick benchmark writes, which must have these columns, if any are given.
+  /// The rows that a quick benchmark writes, which must have these columns, if any are given. The README has to explain
+  /// each column.
   Json measure(const std::string& arguments, const std::vector<std::string>& columns = {}, bool draws = false) const {
     expect_done(arguments + " --quick --json rows.json");
     const Json document = Json::parse(read("rows.json"));
     expect_machine(document, draws);
     if (!columns.empty()) expect_columns(document["rows"], columns);
+    static const std::string readme = read(LITFOG_DATA_DIR "/benchmarks/README.md");
+    for (const auto& [column, value] : document["rows"].at(0).items()) {
+      const bool is_angle = column.ends_with(" deg");
+      EXPECT_TRUE(is_angle || readme.find('`' + column + '`') != std::string::npos) << column;
+    }
     return document["rows"];
   }
 };
@@ -237,9 +243,9 @@ TEST_F(BenchMeasurement, GlowIsThatOfTheReferenceAndOfTheRandomWalk) {
 
 #ifdef LITFOG_HAS_GL
 TEST_F(BenchMeasurement, ScenesInAllOrdersAreNearTracedPaths) {
-  const Json rows = measure(
-      "traced --strip traced.png",
-      {"scene", "visibility_m", "fog_light", "ratio_p10", "ratio_p50", "ratio_p90", "noise_p50"}, true);
+  const Json rows =
+      measure("traced --strip traced.png",
+              {"scene", "visibility_m", "fog_light", "ratio_p10", "ratio_p50", "ratio_p90", "noise_p50"}, true);
   ASSERT_EQ(rows.size(), 2u);
   EXPECT_LT(rows[0]["ratio_p50"].get<double>(), 0.85) << rows[0];
   EXPECT_NEAR(rows[1]["ratio_p50"].get<double>(), 1, 0.15) << rows[1];
@@ -413,9 +419,10 @@ TEST_F(BenchCommand, HelpNeedsNoReleaseBuild) {
 
 TEST_F(BenchCommand, WrongUsageIsAnError) {
   EXPECT_ERROR(run(""), kUsage, usage_message("benchmark is required"));
-  EXPECT_ERROR(run("speed"), kUsage,
-               usage_message("benchmark = speed: must be one of "
-                             "solve|airlight|lamps|scattering|glow|traced|update|load|fit|render|frames|rejection|maps|city"));
+  EXPECT_ERROR(
+      run("speed"), kUsage,
+      usage_message("benchmark = speed: must be one of "
+                    "solve|airlight|lamps|scattering|glow|traced|update|load|fit|render|frames|rejection|maps|city"));
   EXPECT_EQ(run("solve --quick --slow").status, kUsage);
   EXPECT_EQ(run("solve update").status, kUsage);
   EXPECT_EQ(run("solve --json").status, kUsage);
