@@ -26,6 +26,10 @@ struct ConeBox {
   ConeParameters most;
 };
 
+/// The narrowest edge of a descent's end, as a fraction of the outer versine: an edge may shrink to a step, which is
+/// the limit of cones, but a few units in the last place have no digits.
+inline constexpr double kNarrowestEdge = 1e-12;
+
 /// The end of a descent.
 struct ConeCandidate {
   ConeParameters parameters{};
@@ -86,13 +90,12 @@ class ConeSearch {
   }
 
  private:
-  /// Whether a bound is below the objective at those corners of a box that are cones, but for rounding. An edge of a
-  /// few units in the last place has no digits.
+  /// Whether a bound is below the objective, but for the open gap, at those corners of a box that are cones.
   bool is_below_corners(const ConeBox& box, double bound) const {
     for (const double x : {box.least[0], box.most[0]}) {
       for (const double y : {box.least[1], box.most[1]}) {
         const auto corner = profile_.start({{x, y}, {x, y}});
-        if (corner && std::abs(x - y) > 1e-12 * y && bound > profile_.objective(*corner) * (1 + kGap) + exact_)
+        if (corner && std::abs(x - y) > kNarrowestEdge * y && bound > profile_.objective(*corner) * (1 + kGap) + exact_)
           return false;
       }
     }

@@ -64,8 +64,8 @@ constexpr double kMinSmooth = 1e-6;
 /// Steps from the reference, as fractions of its D, below which h loses digits: from here on it has twelve.
 constexpr double kMinStep = 0.1;
 
-/// Curvatures of terms with a larger D underflow.
-constexpr double kLargestSquared = 1e150;
+/// A term with a larger D has a curvature, about 1 / D^2, that may underflow.
+constexpr double kMaxCurved = 1e150;
 
 /// Relative tolerance of the objective for a reference that is not a minimum: its slope hardly weakens the bounds.
 constexpr double kReferenceTolerance = 1e-8;
@@ -152,7 +152,7 @@ class HeldSearch {
       refer_to_held_minimum();
       bound = std::max(bound, held_cost_ + lower_bound(box));
     }
-    assert(is_below_cost(box, bound));
+    assert(is_below_objective(box, bound));
     return bound;
   }
 
@@ -355,18 +355,13 @@ class HeldSearch {
     return bound;
   }
 
-  /// Whether a bound is below the objective at the box's middle and two of its corners, but for the open gap, unless
-  /// they miss the end, or a D there is outside its interval.
-  bool is_below_cost(const Box& box, double bound) const {
+  /// Whether a bound is below the objective, but for the open gap, at the box's middle and two of its corners. Nothing
+  /// is known of one that misses the end, or where a D is outside its interval.
+  bool is_below_objective(const Box& box, double bound) const {
     return std::ranges::all_of(std::array{low_corner(box), middle(box), high_corner(box)}, [&](const Coefficients& q) {
       Box point{{{q[0], q[0]}, {q[1], q[1]}, {q[2], q[2]}}};
-      if (!contract(point)) return true;
-      double sum = held_cost_;
-      for (std::size_t i = 0; i < terms_.size(); ++i) {
-        const double d = denominator(q, terms_[i].x), log_d = std::log(d);
-        if (!is_held(i)) sum += least_cost(terms_[i], {{d, d}, {log_d, log_d}});
-      }
-      return !(bound > sum + kGap * (sum + best_.objective) + falloff_.negligible());
+      const double objective = falloff_.objective(q);
+      return !contract(point) || !(bound > objective + kGap * (objective + best_.objective) + falloff_.negligible());
     });
   }
 
@@ -411,7 +406,7 @@ class HeldSearch {
     return sum.value + smallest_of(sum.slope, box);
   }
 
-  /// Inequality 2 about the reference; 0 if a term has no tangent there, or a D is too large for its square.
+  /// Inequality 2 about the reference; 0 if a term has no tangent there, or a D may be above kMaxCurved.
   double reference_curvature_bound(const Box& box) const {
     if (!is_reference_smooth_) return 0;
     Plane tangents;
@@ -420,7 +415,7 @@ class HeldSearch {
       const Term& term = terms_[i];
       tangents.add(term.tangent, term.x);
       if (is_held(i)) continue;
-      if (ranges_[i].d.high > kLargestSquared) return 0;
+      if (ranges_[i].d.high > kMaxCurved) return 0;
       add_square(curvature, least_curvature(term, ranges_[i]), term.x);
     }
     return tangents.value + smallest_of(tangents.slope, box) + smallest_bend(curvature, reference_, box);

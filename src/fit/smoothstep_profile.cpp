@@ -148,8 +148,7 @@ ConeCandidate SmoothstepProfile::descend(const ConeParameters& start, std::size_
                         {start.data(), count}, Descent::one);
   ConeCandidate candidate;
   candidate.parameters[1] = outer_ ? *outer_ : fit.parameters[1];
-  constexpr double kNarrowest = 1e-12;  // a descent may end in a step, which is the limit of cones
-  candidate.parameters[0] = std::min(fit.parameters[0], candidate.parameters[1] * (1 - kNarrowest));
+  candidate.parameters[0] = std::min(fit.parameters[0], candidate.parameters[1] * (1 - kNarrowestEdge));
   candidate.objective = objective(candidate.parameters);
   candidate.kkt_residual = fit.gradient;
   candidate.covariance = fit.covariance;
