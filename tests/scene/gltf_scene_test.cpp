@@ -554,8 +554,7 @@ TEST_F(GltfScene, AMeshIsCountedBeforeItIsMade) {
             "meshes[0].primitives[0] = an object: triangles must be at most 20000000 in all, vertices 20000000");
 }
 
-// 33 times 2^22 texels would be more than all pictures may have.
-/// The first bytes of a grey PNG of 16,384 pixels a side, or of one as wide and a pixel high, up to its pixels.
+/// A grey PNG of 16,384 by 16,384 pixels, or of 16,385 by 1, up to its pixels.
 std::string large_png(bool is_high) {
   return std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR\0\0\x40", 19) +
          (is_high ? std::string("\0\0\0\x40\0\b\0\0\0\0\x8C\xA3\x4F\x58", 14)
@@ -573,6 +572,7 @@ TEST_F(GltfScene, PicturesWithTooManyPixelsFailBeforeTheyAreDecoded) {
   EXPECT_EQ(error_of(file_), "images[0] = an object: must be at most 16384 pixels a side");
 }
 
+// 33 times 2^22 texels would be more than all pictures may have.
 TEST_F(GltfScene, MaterialsShareAPicture) {
   constexpr int kSide = 2048;
   png(path("atlas.png"), std::vector<std::uint8_t>(std::size_t{3} * kSide * kSide, 99), kSide);
