@@ -107,6 +107,9 @@ class Mutant:
 
 count = int(sys.argv[1]) if len(sys.argv) > 1 else 100
 folders = sys.argv[3:] or [folder for folder, tests in programs.items() if tests is core]
+for folder in folders:
+    if folder not in programs:
+        sys.exit(f"mutants.py: FOLDER = {folder}: must be one of {', '.join(programs)}")
 shutil.rmtree(tree, ignore_errors=True)
 tree.mkdir(parents=True)
 subprocess.run(f"git -C {root} ls-files -z | tar -C {root} --null -T - -c | tar -C {tree} -xm", shell=True, check=True)
@@ -123,8 +126,8 @@ choice = random.Random(int(sys.argv[2]) if len(sys.argv) > 2 else 44)
 mutants = [Mutant(path, site, choice.choice(wrong[site[2]]))
            for path, site in choice.sample([(path, site) for path in files for site in sites(path)], count)]  # fmt: skip
 start = time.monotonic()
-for tests in {tuple(tests_of(path)): path for path in files}.values():
-    assert not found_by(tests, "*", None), "the tests fail without a mutant"
+for path in {tuple(tests_of(path)): path for path in files}.values():
+    assert not found_by(path, "*", None), "the tests fail without a mutant"
 limit = 4 * (time.monotonic() - start)
 table = root / "data" / "benchmarks" / "mutants.csv"
 for mutant in mutants:
