@@ -360,8 +360,9 @@ class HeldSearch {
   bool is_below_objective(const Box& box, double bound) const {
     return std::ranges::all_of(std::array{low_corner(box), middle(box), high_corner(box)}, [&](const Coefficients& q) {
       Box point{{{q[0], q[0]}, {q[1], q[1]}, {q[2], q[2]}}};
+      if (!contract(point)) return true;
       const double objective = falloff_.objective(q);
-      return !contract(point) || !(bound > objective + kGap * (objective + best_.objective) + falloff_.negligible());
+      return !(bound > objective + kGap * (objective + best_.objective) + falloff_.negligible());
     });
   }
 
