@@ -38,7 +38,10 @@ StoredPlanes stored_planes(const std::vector<double>& listed, Symmetry symmetry)
       if (count % 2 != 0 || listed[0] != 0 || listed[half] != 180) break;
       return {{listed.begin(), listed.begin() + std::ptrdiff_t(half + 1)}, ""};
     case kAboutC90: {
-      if (count % 4 != 0 || listed[0] != 0 || listed[quarter] != 90 || listed[count - quarter] != 270) break;
+      if (count % 4 != 0 || listed[0] != 0 || listed[quarter] != 90 || listed[count - quarter] != 270 ||
+          listed.back() == 360) {
+        break;
+      }
       std::vector<double> angles(listed.end() - std::ptrdiff_t(quarter), listed.end());
       for (double& angle : angles) angle -= 360;
       angles.insert(angles.end(), listed.begin(), listed.begin() + std::ptrdiff_t(quarter + 1));
@@ -130,8 +133,8 @@ Luminaire parse_eulumdat(std::string text, const std::string& name) {
   luminaire.peak_location = scanner.location(grid.largest());
   scanner.expect_no_more_numbers();
   if (symmetry == kNone && horizontal.size() > 1) close_turn(horizontal, intensity);
-  luminaire.distribution = {PhotometryType::c, radians_from_degrees(horizontal), radians_from_degrees(gamma),
-                            std::move(intensity)};
+  luminaire.distribution =
+      distribution_of_degrees(PhotometryType::c, std::move(horizontal), gamma, std::move(intensity));
   return luminaire;
 }
 

@@ -211,8 +211,7 @@ Luminaire parse_ies(std::string text, const std::string& name) {
   luminaire.peak_location = scanner.location(grid.largest());
   scanner.expect_no_more_numbers();
   if (is_c && horizontal.back() - horizontal.front() > 180) close_turn(horizontal, intensity);
-  luminaire.distribution = {type, radians_from_degrees(horizontal), radians_from_degrees(vertical),
-                            std::move(intensity)};
+  luminaire.distribution = distribution_of_degrees(type, std::move(horizontal), vertical, std::move(intensity));
   return luminaire;
 }
 

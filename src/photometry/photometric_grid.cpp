@@ -2,6 +2,7 @@
 #include "photometry/photometric_grid.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <numbers>
 
@@ -13,6 +14,7 @@ namespace {
 
 constexpr int kMaxAngles = 10'000;
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
+constexpr double kNoGap = 1e-9;  // degrees: what rounding may leave of none
 
 /// "candela value 12 of 361"
 std::string name_of(std::string_view what, std::size_t index, std::size_t count) {
@@ -35,7 +37,7 @@ std::vector<double> PhotometricGrid::angles(std::string_view what, int count, do
     if (!(angle >= low && angle <= high)) {
       scanner_.fail(piece, name(), range_rule(low, high));
     }
-    if (i > 0 && !(angle * kRadiansPerDegree > angles.back() * kRadiansPerDegree)) {  // they may round to the same
+    if (i > 0 && (angle < angles.back() || is_same_angle(angle, angles.back()))) {
       scanner_.fail(piece, name(), "must be greater than the one before, " + number_text(angles.back()));
     }
     angles.push_back(angle);
@@ -95,12 +97,12 @@ bool is_turn(const std::vector<double>& planes_deg) {
 bool is_closed_turn(const std::vector<double>& planes_deg) {
   double widest = 0;
   for (std::size_t i = 1; i < planes_deg.size(); ++i) widest = std::max(widest, planes_deg[i] - planes_deg[i - 1]);
-  return planes_deg.front() + 360 - planes_deg.back() <= widest * (1 + 1e-9);
+  const double gap = planes_deg.front() + 360 - planes_deg.back();
+  return gap >= -kNoGap && gap <= widest * (1 + 1e-9);
 }
 
 void close_turn(std::vector<double>& planes_deg, std::vector<double>& intensity) {
-  constexpr double kNone = 1e-9;
-  if (planes_deg.front() + 360 - planes_deg.back() <= kNone) return;
+  if (planes_deg.front() + 360 - planes_deg.back() <= kNoGap) return;
   const std::vector<double> first_plane(intensity.begin(),
                                         intensity.begin() + std::ptrdiff_t(intensity.size() / planes_deg.size()));
   planes_deg.push_back(planes_deg.front() + 360);
@@ -117,9 +119,19 @@ double with_right_angles(double degrees) {
   return is_float_of(right, degrees) ? right : degrees;
 }
 
+bool is_same_angle(double a_deg, double b_deg) { return a_deg * kRadiansPerDegree == b_deg * kRadiansPerDegree; }
+
 std::vector<double> radians_from_degrees(std::vector<double> angles) {
   for (double& angle : angles) angle *= kRadiansPerDegree;
   return angles;
+}
+
+IntensityDistribution distribution_of_degrees(PhotometryType type, std::vector<double> horizontal,
+                                              std::vector<double> vertical, std::vector<double> intensity) {
+  IntensityDistribution distribution{type, radians_from_degrees(std::move(horizontal)),
+                                     radians_from_degrees(std::move(vertical)), std::move(intensity)};
+  assert(!find_error(distribution));
+  return distribution;
 }
 
 }  // namespace litfog

@@ -90,7 +90,8 @@ bool is_turn(const std::vector<double>& planes_deg);
 inline constexpr const char* kTurns =  ///< those planes, for messages
     "planes at 0, from 0 to 90, 180 or 360, from 90 to 270, from -90 to 90, or from -180 to 180";
 
-/// Whether planes of type C in degrees go all round: the gap to the first one is at most the widest step.
+/// Whether planes of type C in degrees go once round: the gap to the first one is at most the widest step, and none lie
+/// beyond it.
 bool is_closed_turn(const std::vector<double>& planes_deg);
 
 /// Closes a turn for which is_closed_turn(): repeats the first plane at the end, unless it is there.
@@ -102,6 +103,13 @@ std::string range_rule(double low, double high);
 /// An angle, snapped to a multiple of 90 degrees, where parts of a turn end, if it differs only by a float's rounding.
 double with_right_angles(double degrees);
 
+/// Whether angles in degrees round to the same in radians.
+bool is_same_angle(double a_deg, double b_deg);
+
 std::vector<double> radians_from_degrees(std::vector<double> angles);
+
+/// The distribution at angles in degrees, all of which the reader has checked.
+IntensityDistribution distribution_of_degrees(PhotometryType type, std::vector<double> horizontal,
+                                              std::vector<double> vertical, std::vector<double> intensity);
 
 }  // namespace litfog

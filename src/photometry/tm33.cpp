@@ -105,7 +105,7 @@ std::vector<double> sorted_angles(const std::vector<Entry>& entries, double Entr
   std::vector<double> angles;
   for (const Entry& entry : entries) angles.push_back(entry.*angle);
   std::ranges::sort(angles);
-  angles.erase(std::unique(angles.begin(), angles.end()), angles.end());
+  angles.erase(std::unique(angles.begin(), angles.end(), is_same_angle), angles.end());
   return angles;
 }
 
@@ -185,8 +185,7 @@ Luminaire parse_tm33(std::string text, const std::string& name) {
   auto intensity = reader.finish();
   luminaire.peak_location = scanner.location(reader.largest());
   if (is_c && horizontal.back() - horizontal.front() > 180) close_turn(horizontal, intensity);
-  luminaire.distribution = {type, radians_from_degrees(horizontal), radians_from_degrees(vertical),
-                            std::move(intensity)};
+  luminaire.distribution = distribution_of_degrees(type, std::move(horizontal), vertical, std::move(intensity));
   return luminaire;
 }
 

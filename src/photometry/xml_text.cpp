@@ -31,17 +31,27 @@ XmlText::XmlText(std::string bytes, std::string name) : scanner_(std::move(bytes
   if (text.size() > kMaxXmlBytes) {
     throw InputError({.file = scanner_.name()}, "XML", "", "must not be larger than 16777216 bytes");
   }
-  const auto result = document_.load_buffer(text.data(), text.size(), pugi::parse_default, pugi::encoding_utf8);
+  const auto result =
+      document_.load_buffer(text.data(), text.size(), pugi::parse_default | pugi::parse_fragment, pugi::encoding_utf8);
   if (result.status == pugi::status_out_of_memory) throw std::bad_alloc();
-  if (!result) {
-    throw InputError(scanner_.location({{}, std::size_t(result.offset)}), "XML", "",
-                     std::string("must be well-formed: ") + result.description());
+  const auto fail_at = [this](std::size_t offset, const char* fault) {
+    throw InputError(scanner_.location({{}, offset}), "XML", "", std::string("must be well-formed: ") + fault);
+  };
+  if (!result) fail_at(std::size_t(result.offset), result.description());
+  for (const pugi::xml_node& node : document_.children()) {  // pugixml takes any number of elements, and text
+    if (node == root()) continue;
+    fail_at(text.find_first_not_of(" \t\r\n", offset_of(node)), "Text or an element beside the root");
   }
+  if (!root()) fail_at(text.size(), "No document element found");
 }
 
 TextScanner::Piece XmlText::text_of(const pugi::xml_node& element) const {
-  const pugi::xml_node text = element.first_child();
-  return {trimmed(text.value()), offset_of(text ? text : element)};
+  const pugi::xml_node first = element.first_child();
+  const std::size_t offset = offset_of(first ? first : element);
+  if (!first.next_sibling()) return {trimmed(first.value()), offset};
+  std::string& text = joined_.emplace_back();
+  for (const pugi::xml_node& node : element.children()) text += node.type() == pugi::node_element ? " " : node.value();
+  return {trimmed(text), offset};
 }
 
 void XmlText::fail(const pugi::xml_node& element, std::string_view rule) const {
@@ -49,7 +59,11 @@ void XmlText::fail(const pugi::xml_node& element, std::string_view rule) const {
 }
 
 TextScanner::Piece XmlText::value_of(const pugi::xml_node& element, const char* attribute) const {
-  return {trimmed(element.attribute(attribute).value()), offset_of(element)};
+  const pugi::xml_attribute value = element.attribute(attribute);
+  for (pugi::xml_attribute other = value.next_attribute(); other; other = other.next_attribute()) {
+    if (std::string_view(other.name()) == attribute) fail(element, std::string("must have one attribute ") + attribute);
+  }
+  return {trimmed(value.value()), offset_of(element)};
 }
 
 }  // namespace litfog

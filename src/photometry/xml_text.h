@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <deque>
 #include <pugixml.hpp>
 #include <string>
 #include <string_view>
@@ -24,7 +25,8 @@ class XmlText {
 
   /// The document's element.
   pugi::xml_node root() const { return document_.document_element(); }
-  /// The text within an element, without white space around it, for the scanner's numbers and errors.
+  /// The text within an element, without comments and white space around it, for the scanner's numbers and errors. An
+  /// element within it counts as a space.
   TextScanner::Piece text_of(const pugi::xml_node& element) const;
   /// An attribute's value; its location is the element's.
   TextScanner::Piece value_of(const pugi::xml_node& element, const char* attribute) const;
@@ -35,6 +37,7 @@ class XmlText {
  private:
   TextScanner scanner_;
   pugi::xml_document document_;
+  mutable std::deque<std::string> joined_;  ///< texts that comments or elements divide
 };
 
 }  // namespace litfog

@@ -198,9 +198,11 @@ TEST(Eulumdat, PlanesThatDoNotFitTheSymmetryAreAnError) {
     return text.substr(0, text.find(':', text.find('=')));
   };
   EXPECT_EQ(error("0", {"0", "90", "180"}), "45:1: last C plane = 180");
+  EXPECT_EQ(error("0", {"-180", "0", "180", "360"}), "46:1: last C plane = 360") << "more than a turn";
   EXPECT_EQ(error("2", {"0", "90", "170", "270"}), "46:1: last C plane = 270");
   EXPECT_EQ(error("2", {"0", "120", "240"}), "45:1: last C plane = 240");
   EXPECT_EQ(error("3", {"0", "90", "180", "280"}), "46:1: last C plane = 280");
+  EXPECT_EQ(error("3", {"0", "45", "90", "120", "180", "200", "270", "360"}), "50:1: last C plane = 360") << "C0 again";
   EXPECT_EQ(error("4", {"0", "180"}), "44:1: last C plane = 180");
   EXPECT_EQ(error("4", {"0", "80", "180", "270"}), "46:1: last C plane = 270");
 }

@@ -442,6 +442,8 @@ TEST(Ies, BadAngleIsAnErrorAtItsLocation) {
   EXPECT_EQ(error_of(open.str()), "(accepted)");
   open.horizontal = "0 80 160 240\n";  // 120 degrees are missing
   EXPECT_EQ(error_of(open.str()), "7:10: last horizontal angle = 240: " + kTurn);
+  open.horizontal = "-180 0 180 181\n";  // one degree is there twice
+  EXPECT_EQ(error_of(open.str()), "7:12: last horizontal angle = 181: " + kTurn);
 
   IesText b;
   b.type_and_units = "2 2 ";

@@ -192,6 +192,29 @@ TEST(Tm33, BadFileIsAnErrorAtItsLocation) {
   EXPECT_EQ(error_of(Tm33Text().str() + std::string(16'777'216, ' ')), " XML: must not be larger than 16777216 bytes");
 }
 
+TEST(Tm33, XmlHasOneRootAndEachAttributeOnce) {
+  const std::string rule = "XML: must be well-formed: ", lamp = Tm33Text().str();
+  EXPECT_EQ(error_of("<!-- none -->"), "1:14: " + rule + "No document element found");
+  EXPECT_EQ(error_of(" lamp " + lamp), "1:2: " + rule + "Text or an element beside the root");
+  EXPECT_EQ(error_of(lamp + "lamp"), "13:1: " + rule + "Text or an element beside the root");
+  EXPECT_EQ(error_of(lamp + "<Emitter/>"), "13:1: " + rule + "Text or an element beside the root");
+  EXPECT_EQ(error_of("<!-- a -->" + lamp + "<!-- b -->\n"), "(accepted)");
+  EXPECT_EQ(error_of(&Tm33Text::intensities, "<IntData h=\"0\" v=\"0\" v=\"9\">9</IntData>"),
+            "8:1: element = IntData: must have one attribute v");
+}
+
+TEST(Tm33, TextGoesOnAfterACommentAndEndsAtAnElement) {
+  const auto intensity = [](const std::string& text) {
+    Tm33Text tm33;
+    tm33.data.clear();
+    tm33.intensities = "<IntData h=\"0\" v=\"0\">" + text + "</IntData><IntData h=\"0\" v=\"90\">1</IntData>";
+    return tm33.str();
+  };
+  EXPECT_EQ(parse(intensity("12<!-- of 15 -->34")).distribution.intensity.front(), 1234);
+  EXPECT_EQ(parse(intensity("12<![CDATA[34]]>")).distribution.intensity.front(), 1234);
+  EXPECT_EQ(error_of(intensity("12<b/>34")), "7:22: intensity = 12 34: must be a finite number");
+}
+
 TEST(Tm33, LocationOfTextThatEndsWithinACharacterIsThatCharacters) {
   const std::string rule = "XML: must be well-formed: ";
   EXPECT_TRUE(error_of("<IESTM33-22><Header>caf\xC3\xA9").starts_with("1:24: " + rule));
@@ -211,6 +234,10 @@ TEST(Tm33, BadIntensitiesAreAnErrorAtTheirLocation) {
   const std::string rule = "must be given once for each pair of the angles there are";
   EXPECT_EQ(error(nadir + "\n<IntData h=\"0\" v=\"0\">1</IntData>"), "9:22: intensity = 1: " + rule);
   EXPECT_EQ(error(nadir + "\n<IntData h=\"90\" v=\"90\">1</IntData>"), "9:24: intensity = 1: " + rule);
+  EXPECT_EQ(error(nadir + "\n<IntData h=\"0\" v=\"29\">1</IntData>\n"
+                          "<IntData h=\"0\" v=\"29.000000000000004\">1</IntData>"),
+            "10:39: intensity = 1: " + rule)
+      << "the same in radians";
   EXPECT_EQ(error(nadir),
             "6:15: element = LuminousIntensity: must have two vertical angles or more, and in types A and "
             "B two horizontal ones");
