@@ -244,7 +244,10 @@ HWY_INLINE hn::Mask<D> is_beside_cone(D d, const OneLight<D>& light, const Row& 
                       hn::NegMulAdd(along, light.axis.z, v.z)};
   };
   const Vectors<V> across = across_axis(across_axis(middle));  // twice, because near the axis once is only rounding
-  const V square = hn::Max(dot(across, across), set(1e-30f));
+  // Nearer to the axis, rounding alone says where it lies. A shorter u is right for any middle.
+  constexpr float kNearAxis = 1e-6f;  // of the way to the middle: ten of its roundings
+  const V least_square = hn::MulAdd(set(kNearAxis * kNearAxis), dot(middle, middle), set(1e-30f));
+  const V square = hn::Max(dot(across, across), least_square);
   const V scale = hn::Div(light.cos_h, hn::Sqrt(square));
   const auto component = [&](V c, V axis) HWY_ATTR { return hn::NegMulAdd(light.sin_h, axis, hn::Mul(scale, c)); };
   const Vectors<V> n{component(across.x, light.axis.x), component(across.y, light.axis.y),

@@ -57,6 +57,24 @@ TEST(LightClusters, NoLightIsMissingWhereItLightsAPoint) {
   });
 }
 
+TEST(LightClusters, LampInTheEyeThatShinesThroughAClustersMiddleIsInEachAlongItsAxis) {
+  const View view{.bottom = -0.5625, .top = 0.5625};  // 16 x 9 columns and rows of exact tangents
+  LightClusters clusters;
+  clusters.resize(1);
+  for (int column = 0; column < 16; ++column) {
+    for (int row = 0; row < 9; ++row) {
+      const glm::dvec3 axis = glm::normalize(glm::dvec3((column - 7.5) / 8, (row - 4) / 8.0, -1));
+      clusters.set_light(0, {.position = {0, 0, 0}, .direction = axis, .range = 50, .half_angle = 0.5});
+      clusters.update(view);
+      for (int metres = 1; metres < 50; ++metres) {
+        const auto cluster = clusters.cluster_at(double(metres) * axis);
+        if (!cluster) continue;  // before the nearest plane
+        EXPECT_TRUE(has_light(clusters, *cluster, 0)) << metres << " m, column " << column << ", row " << row;
+      }
+    }
+  }
+}
+
 TEST(LightClusters, LightsAlongARayAreThoseOfTheClustersThatItPasses) {
   Random random(79);
   std::size_t listed = 0;
