@@ -89,10 +89,10 @@ ConeProfileFit fit_smoothstep(const std::vector<ConePoint>& points, const ConeTa
     fit.covariance.emplace();
     for (std::size_t row = 0; row < count; ++row) {
       for (std::size_t column = 0; column < count; ++column) {
-        const double value = (*optimum.best.covariance)[row * count + column];
-        if (value == 0) continue;  // at a bound
         const auto slope = [&](std::size_t i) { return std::sin(i == 0 ? cone.inner : cone.outer); };
-        (*fit.covariance)[row][column] = value / (slope(row) * slope(column));
+        const double slopes = slope(row) * slope(column);
+        if (slopes == 0) continue;  // at 0, a bound
+        (*fit.covariance)[row][column] = (*optimum.best.covariance)[row * count + column] / slopes;
       }
     }
   }

@@ -3,6 +3,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <cassert>
 
 #include "fit/active_set.h"
 
@@ -144,6 +145,11 @@ ActiveSetStep<Real, 3> newton_step(const Falloff& falloff, const std::array<Real
   return step;
 }
 
+/// Whether coefficients meet the end, but for rounding.
+[[maybe_unused]] bool meets_end(const Falloff& falloff, const Coefficients& q) {
+  return !falloff.end || std::abs(denominator(q, falloff.end->x) / double(falloff.end->top) - 1) < 1e-9;
+}
+
 /// The start with C within its bound; L and Q take up the difference.
 Coefficients within_bounds(const Falloff& falloff, Coefficients q) {
   if (!falloff.end || falloff.constant || q[0] <= falloff.largest_constant()) return q;
@@ -182,6 +188,7 @@ FalloffMinimum refine(const Falloff& falloff, FalloffMinimum minimum) {
   }
   minimum.coefficients = {double(q[0]), double(q[1]), double(q[2])};
   minimum.objective = falloff.objective(minimum.coefficients);
+  assert(meets_end(falloff, minimum.coefficients));
   return minimum;
 }
 
@@ -218,6 +225,16 @@ Coefficients linear_start(const Falloff& falloff) {
     normal += weight * row * row.transpose();
     right += weight * (1 - a * falloff.constant.value_or(0)) * row;
   }
+  // Each coefficient in units of its own curvature, so that the rank does not depend on units.
+  Eigen::Vector3d unit;
+  for (Eigen::Index j = 0; j < 3; ++j) unit[j] = normal(j, j) > 0 ? 1 / std::sqrt(normal(j, j)) : 1;
+  normal = unit.asDiagonal() * normal * unit.asDiagonal();
+  right = unit.asDiagonal() * right;
+  Eigen::Vector3d at_end = Eigen::Vector3d::Zero();  // of a unit of each coefficient
+  if (falloff.end) {
+    const auto power = powers(falloff.end->x);
+    at_end = unit.cwiseProduct(Eigen::Vector3d(power[0], power[1], power[2]));
+  }
   // Tries every set of nonzero coefficients; the best one with positive least squares is the constrained optimum.
   Coefficients best{falloff.constant.value_or(0), 0, 0};
   double best_value = falloff.end ? std::numeric_limits<double>::infinity() : 0;
@@ -234,20 +251,19 @@ Coefficients linear_start(const Falloff& falloff) {
     system.topLeftCorner(count, count) = normal(chosen, chosen);
     values.head(count) = right(chosen);
     if (falloff.end) {
-      const auto power = powers(falloff.end->x);
-      for (Eigen::Index j = 0; j < count; ++j) {
-        system(j, count) = system(count, j) = power[std::size_t(chosen[std::size_t(j)])];
-      }
-      values[count] = double(rest_at_end(falloff));
+      const double largest = at_end(chosen).maxCoeff();
+      system.col(count).head(count) = system.row(count).head(count).transpose() = at_end(chosen) / largest;
+      values[count] = double(rest_at_end(falloff)) / largest;
     }
     const Eigen::VectorXd solution = system.fullPivLu().solve(values);
     Eigen::Vector3d q = Eigen::Vector3d::Zero();
     q(chosen) = solution.head(count);
     if (!((solution.head(count).array() > 0).all() && q.allFinite())) continue;
+    if (falloff.end) q *= double(rest_at_end(falloff)) / at_end.dot(q);  // whatever the rank
     const double value = q.dot(normal * q) - 2 * right.dot(q);
     if (value < best_value) {
       best_value = value;
-      best = {falloff.constant.value_or(q[0]), q[1], q[2]};
+      best = {falloff.constant.value_or(unit[0] * q[0]), unit[1] * q[1], unit[2] * q[2]};
     }
   }
   return best;

@@ -302,6 +302,18 @@ TEST(ConeFit, FluxErrorComparesWithTheSamplesFlux) {
   }
 }
 
+TEST(ConeFit, CovarianceOfAnAngleAtZeroIsZero) {
+  const Cone truth = Cone::smoothstep(0, 1.2);
+  ConeTarget target{.profile = ConeProfile::smoothstep};
+  for (int i = 0; i < 8; ++i) target.samples.push_back({0.2 * i, cone_at(truth, std::cos(0.2 * i))});
+  const auto fit = fit_cone(target).best();
+  EXPECT_EQ(fit.cone.inner, 0);
+  ASSERT_TRUE(fit.covariance);
+  EXPECT_EQ((*fit.covariance)[0], (std::array<double, 2>{0, 0}));
+  EXPECT_EQ((*fit.covariance)[1][0], 0);
+  EXPECT_GE((*fit.covariance)[1][1], 0);
+}
+
 TEST(ConeFit, CovarianceHasTheScatterOfRepeatedFits) {
   Random random(23);
   const Cone truth = Cone::smoothstep(radians(6), radians(18));
