@@ -89,13 +89,16 @@ IntensityDistribution elliptical_beam(const std::vector<IsocandelaEllipse>& elli
 }
 
 double equal_circle(double horizontal, double vertical) {
-  // 1 - cos of the circle is the mean of 1 - cos over the ellipse's turn, both as 2 sin^2 of half the angle.
-  double sum = 0;
+  // 1 - cos of the circle is the mean of 1 - cos over the ellipse's turn, both as 2 sin^2 of half the angle; 1 + cos
+  // likewise as 2 cos^2. Together they are exact at 0 and at pi.
+  double sines = 0, cosines = 0;
   for (int i = 0; i < kCircleSteps; ++i) {
-    const double sine = std::sin(angle_at(horizontal, vertical, pi / 2 * (i + 0.5) / kCircleSteps) / 2);
-    sum += sine * sine;
+    const double half = angle_at(horizontal, vertical, pi / 2 * (i + 0.5) / kCircleSteps) / 2;
+    const double sine = std::sin(half), cosine = std::cos(half);
+    sines += sine * sine;
+    cosines += cosine * cosine;
   }
-  return 2 * std::asin(std::sqrt(sum / kCircleSteps));
+  return 2 * std::atan2(std::sqrt(sines), std::sqrt(cosines));
 }
 
 }  // namespace litfog
