@@ -192,7 +192,7 @@ std::optional<ValueError> find_error(const DiffuseLight& light);
 /// a(r) cone(u) f(r) cos, which a surface receives from the lamp itself. Columns of different lengths are a bug of the
 /// caller and assert.
 ///
-/// source     the light's
+/// source     the light's, with its beam, also of a point lamp: scattering_source() with ThinBeams
 /// positions  of the places, metres
 /// throws     std::invalid_argument naming field, value and rule, before any result is written
 void scattered_light(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,

@@ -155,8 +155,8 @@ class FogUpdater {
   std::size_t kind_of(FogLightHandle handle) const;
 
   /// The range of a kind's lights beyond which all lights together add less than a step to surfaces and airlight:
-  /// light_reach() in the thinnest fog, by reach_budget() for the kind's brightest light. Not for litfog_light_fog(),
-  /// which has no range.
+  /// light_reach() in the thinnest fog, by reach_budget() for the kind's brightest light, with colours and flashes
+  /// as the floats that instances have. Not for litfog_light_fog(), which has no range.
   ///
   /// kind     below the number of kinds
   /// returns  metres, [0, extent]; 0 where no light of the kind is on

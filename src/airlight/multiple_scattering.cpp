@@ -418,6 +418,9 @@ void scattered_light(const PlacedLight& light, const ScatteringSource& source, c
   require(find_error(light));
   require(find_error(atmosphere));
   require(find_scattering_error(atmosphere));
+  if (const double share = source.beam.texels[0][0].share; source.intensity > 0 && !(share > 0)) {
+    require(ValueError{"source.beam", share, "must be the light's, made with ThinBeams"});
+  }
   for (const glm::dvec3& position : positions) {
     require(find_position_error(position, {"position.x", "position.y", "position.z"}));
   }

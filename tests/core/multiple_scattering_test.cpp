@@ -192,6 +192,13 @@ TEST(ScatteredLight, PositionThatIsNoneIsNamed) {
   EXPECT_EQ(refused({0, 0, kInfinity}).find("position.z = inf: "), 0u);
 }
 
+TEST(ScatteredLight, SourceWithoutABeamIsRefused) {
+  const PlacedLight lamp = inverse_square_lamp({});
+  const Atmosphere air = uniform_fog(0.1);
+  EXPECT_EQ(error_of([&] { scattered_light(lamp, scattering_source(lamp.light, air), air, dvec3(1, 0, 0)); }),
+            "source.beam = 0: must be the light's, made with ThinBeams");
+}
+
 TEST(ScatteredLight, LightOrSurfaceThatIsNoneIsNamed) {
   EXPECT_EQ(error_of([] { irradiance({.all = -1}, {0, 1, 0}); }), "all = -1: must be in [0, 1e100]");
   EXPECT_EQ(error_of([] {
