@@ -581,7 +581,7 @@ TEST_F(LuminaireFile, FileBeyond64MebibytesIsAnError) {
   EXPECT_EQ(photometry_error_of([&] { read_luminaire(path); }), " file: must not be larger than 67108864 bytes");
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own memory would count
+#ifndef LITFOG_SANITIZED  // sanitizers' own memory would count
 TEST_F(LuminaireFile, FilesOfTheLargestSizeAreReadWithinTheStatedMemory) {
   const auto write = [this](const char* name, const auto& print) {
     const std::string path = (directory_.path() / name).string();

@@ -144,7 +144,7 @@ TEST(Isocandela, WrongTablesAreErrorsAtTheirCells) {
   EXPECT_EQ(error_of("vertical_deg" + std::string(1000, ',')), "1:1013: cell: must be given");
 }
 
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // whose own memory would count
+#ifndef LITFOG_SANITIZED  // sanitizers' own memory would count
 TEST(Isocandela, LineOfCommasTakesNoMemoryByTheirNumber) {
   const std::string text = "vertical_deg" + std::string(std::size_t{8} << 20, ',');
   const MemoryLimit limit(std::size_t{64} << 20);
