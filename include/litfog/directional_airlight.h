@@ -21,7 +21,8 @@ namespace litfog {
 /// throws      std::invalid_argument naming field, value and rule
 double directional_fog_factor(const Atmosphere& atmosphere, const glm::dvec3& to_light, double height);
 
-/// Largest relative error of directional_airlight.
+/// Largest relative error of directional_airlight. A ray that crosses a jump of density and rises by less than 1e-5 of
+/// its height has a larger one, since its heights are rounded.
 inline constexpr double kDirectionalAirlightMaxError = 1e-11;
 
 /// Airlight of a directional light along rays: the fraction that the fog scatters into the eye,

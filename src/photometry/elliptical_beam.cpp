@@ -13,10 +13,12 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr int kAngles = 512;       // from the axis to the end of the beam
-constexpr int kDarkAngles = 32;    // from there to 180 degrees
-constexpr int kPlanes = 180;       // in a quarter turn
-constexpr int kCircleSteps = 512;  // in a quarter turn
+constexpr double kLeastAxis = 1e-6;  // radians: a thousand tolerances of angles
+constexpr double kMostEdge = 1e-3;   // of a beam's width, the edge of a narrow one
+constexpr int kAngles = 512;         // from the axis to a line, in steps of those between it and the line within
+constexpr int kDarkAngles = 32;      // from there to 180 degrees
+constexpr int kPlanes = 180;         // in a quarter turn
+constexpr int kCircleSteps = 512;    // in a quarter turn
 
 /// Angle from the axis of an ellipse's direction.
 double angle_at(double horizontal, double vertical, double turn) {
@@ -62,11 +64,11 @@ std::optional<ValueError> find_error(const std::vector<IsocandelaEllipse>& ellip
     if (!(intensity >= 0 && intensity <= inner.intensity)) {
       return ValueError{"intensity", intensity, "must be in [0, 1e30] and at most that of the ellipse within"};
     }
-    if (!(horizontal > inner.horizontal && is_within(horizontal, 0, pi))) {
-      return ValueError{"horizontal", horizontal, "must be in (0, pi] and greater than that of the ellipse within"};
+    if (!(horizontal > inner.horizontal && is_within(horizontal, kLeastAxis, pi))) {
+      return ValueError{"horizontal", horizontal, "must be in [1e-6, pi] and greater than that of the ellipse within"};
     }
-    if (!(vertical > inner.vertical && is_within(vertical, 0, pi))) {
-      return ValueError{"vertical", vertical, "must be in (0, pi] and greater than that of the ellipse within"};
+    if (!(vertical > inner.vertical && is_within(vertical, kLeastAxis, pi))) {
+      return ValueError{"vertical", vertical, "must be in [1e-6, pi] and greater than that of the ellipse within"};
     }
     inner = ellipse;
   }
@@ -78,9 +80,14 @@ IntensityDistribution elliptical_beam(const std::vector<IsocandelaEllipse>& elli
   const IsocandelaEllipse& outermost = ellipses.back();
   IntensityDistribution beam{
       .type = PhotometryType::c, .horizontal = turns_of(outermost), .vertical = {}, .intensity = {}};
-  const double end = std::min(std::max(outermost.horizontal, outermost.vertical), pi);
-  for (int i = 0; i <= kAngles; ++i) beam.vertical.push_back(end * i / kAngles);
-  const double dark = end + kDarkEdge;
+  beam.vertical.push_back(0);
+  for (const auto& [intensity, horizontal, vertical] : ellipses) {
+    const double width = std::min(std::max(horizontal, vertical), pi), inner = beam.vertical.back();
+    for (int i = 1; i <= kAngles; ++i) {
+      if (const double angle = width * i / kAngles; angle > inner) beam.vertical.push_back(angle);
+    }
+  }
+  const double end = beam.vertical.back(), dark = end + std::min(kDarkEdge, kMostEdge * end);
   for (int i = 0; dark < pi && i <= kDarkAngles; ++i) {  // so that a profile does not continue in the beam's steps
     beam.vertical.push_back(std::lerp(dark, pi, double(i) / kDarkAngles));
   }

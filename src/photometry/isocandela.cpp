@@ -279,8 +279,9 @@ void parse_grid(Rows& rows, const std::vector<Cell>& header, Luminaire& luminair
 }
 
 double half_axis(const Rows& rows, const Cell& cell, std::string_view what) {
-  const double angle = snapped(rows.number(cell, what), 0, 180);
-  if (!(angle > 0 && angle <= 180)) fail(cell, what, "must be in (0, 180]");
+  constexpr double kLeast = 1e-4;
+  const double angle = snapped(rows.number(cell, what), kLeast, 180);
+  if (!(angle >= kLeast && angle <= 180)) fail(cell, what, "must be in [1e-4, 180]");
   return std::min(angle * kRadiansPerDegree, std::numbers::pi);
 }
 

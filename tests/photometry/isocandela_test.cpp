@@ -137,7 +137,7 @@ TEST(Isocandela, WrongTablesAreErrorsAtTheirCells) {
   EXPECT_EQ(error_of(ellipses), "2:1: row of an ellipse: must be given, but the file ends here");
   EXPECT_EQ(error_of(ellipses + "100,5,x\n"), "2:7: vertical half axis = x: must be a finite number");
   EXPECT_EQ(error_of(ellipses + "0,5,5\n"), "2:1: candela = 0: must be > 0");
-  EXPECT_EQ(error_of(ellipses + "100,5,181\n"), "2:7: vertical half axis = 181: must be in (0, 180]");
+  EXPECT_EQ(error_of(ellipses + "100,5,181\n"), "2:7: vertical half axis = 181: must be in [1e-4, 180]");
   EXPECT_EQ(error_of(ellipses + "100,5,5\n90,6,5\n"),
             "3:6: vertical half axis = 5: must be greater than in the row before");
   EXPECT_EQ(error_of(ellipses + "100,5,5\n101,6,6\n"), "3:1: candela = 101: must be at most that of the row before");
