@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numeric>
 #include <optional>
 #include <vector>
 
@@ -52,46 +53,49 @@ struct ActiveSetStep {
   std::optional<std::size_t> blocked;  ///< the variable whose bound ended it early
 };
 
-/// Steps to the model's stationary point in the free variables, or towards it up to the first bound.
+/// Steps to the model's stationary point in the free variables, or towards it up to the first bound. If there is a
+/// plane, the free variable with the largest term on it follows the others, so that no rounding leads away from it.
 template <typename Real, std::size_t kSize>
 ActiveSetStep<Real, kSize> active_set_step(const BoundedModel<Real, kSize>& model,
                                            const std::vector<std::size_t>& free) {
   using Eigen::Index;
+  constexpr int kMost = int(kSize);
   if (free.empty()) return {model.point, std::nullopt};
-  constexpr int kMost = int(kSize) + 1;
-  const auto count = Index(free.size());
-  const Index size = count + (model.plane ? 1 : 0);
-  // Each variable in units of its own curvature, so that the rank does not depend on units; a last row and column for
-  // the plane and its multiplier.
-  Eigen::Matrix<Real, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, kMost> system(size, size);
-  Eigen::Matrix<Real, Eigen::Dynamic, 1, 0, kMost, 1> right(size), unit(count);
-  system.setZero();
-  for (Index j = 0; j < count; ++j) {
-    const auto at = free[std::size_t(j)];
-    const Real curvature = std::abs(model.curvature(Index(at), Index(at)));
-    unit[j] = curvature > 0 ? 1 / std::sqrt(curvature) : 1;
-    for (Index k = 0; k <= j; ++k) {
-      system(j, k) = system(k, j) = unit[j] * unit[k] * model.curvature(Index(at), Index(free[std::size_t(k)]));
-    }
-    right[j] = -unit[j] * model.slope[at];
-  }
+  auto chosen = free;
+  std::optional<std::size_t> last;  // the one that follows
   if (model.plane) {
-    const auto& [normal, value] = *model.plane;
-    Real sum = 0, largest = 0;
-    for (std::size_t j = 0; j < kSize; ++j) sum += model.point[j] * normal[j];
-    for (Index j = 0; j < count; ++j) largest = std::max(largest, std::abs(unit[j] * normal[free[std::size_t(j)]]));
-    for (Index j = 0; j < count; ++j) {
-      system(j, count) = system(count, j) = unit[j] * normal[free[std::size_t(j)]] / largest;
-    }
-    right[count] = (value - sum) / largest;
+    last = *std::ranges::max_element(free, {},
+                                     [&](std::size_t j) { return std::abs(model.plane->normal[j] * model.point[j]); });
+    std::erase(chosen, *last);
   }
-  const auto step = system.fullPivLu().solve(right).eval();
+  // A column for each variable that is chosen freely: the change of all by a change of it.
+  Eigen::Matrix<Real, kMost, Eigen::Dynamic, 0, kMost, kMost> columns;
+  columns.setZero(kMost, Index(chosen.size()));
+  for (std::size_t m = 0; m < chosen.size(); ++m) {
+    columns(Index(chosen[m]), Index(m)) = 1;
+    if (last) columns(Index(*last), Index(m)) = -model.plane->normal[chosen[m]] / model.plane->normal[*last];
+  }
+  // Each in units of its own curvature, so that the rank does not depend on units.
+  const Eigen::Map<const Eigen::Matrix<Real, kMost, 1>> slope(model.slope.data());
+  for (Index m = 0; m < columns.cols(); ++m) {
+    const Real curvature = std::abs(columns.col(m).dot(model.curvature * columns.col(m)));
+    if (curvature > 0) columns.col(m) /= std::sqrt(curvature);
+  }
+  Eigen::Matrix<Real, kMost, 1> step = Eigen::Matrix<Real, kMost, 1>::Zero();
+  if (last) {
+    const auto& [normal, value] = *model.plane;
+    step[Index(*last)] =
+        (value - std::inner_product(normal.begin(), normal.end(), model.point.begin(), Real(0))) / normal[*last];
+  }
+  if (columns.cols() > 0) {
+    const auto system = (columns.transpose() * model.curvature * columns).eval();
+    step += columns * system.fullPivLu().solve(-columns.transpose() * (slope + model.curvature * step));
+  }
 
   Real fraction = 1, bound = 0;
   std::optional<std::size_t> blocked;
-  for (Index m = 0; m < count; ++m) {
-    const std::size_t j = free[std::size_t(m)];
-    const Real change = unit[m] * step[m];
+  for (const std::size_t j : free) {
+    const Real change = step[Index(j)];
     const Real limit = change < 0 ? model.lower[j] : model.upper[j];
     const Real end = model.point[j] + fraction * change;
     const bool is_beyond = change < 0 ? end < limit : end > limit;
@@ -101,7 +105,7 @@ ActiveSetStep<Real, kSize> active_set_step(const BoundedModel<Real, kSize>& mode
     blocked = j;
   }
   ActiveSetStep<Real, kSize> result{model.point, blocked};
-  for (Index m = 0; m < count; ++m) result.point[free[std::size_t(m)]] += fraction * unit[m] * step[m];
+  for (const std::size_t j : free) result.point[j] += fraction * step[Index(j)];
   if (blocked) result.point[*blocked] = bound;
   return result;
 }

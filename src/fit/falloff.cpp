@@ -237,7 +237,12 @@ Coefficients linear_start(const Falloff& falloff) {
   }
   // Tries every set of nonzero coefficients; the best one with positive least squares is the constrained optimum.
   Coefficients best{falloff.constant.value_or(0), 0, 0};
-  double best_value = falloff.end ? std::numeric_limits<double>::infinity() : 0;
+  double best_value = 0;
+  if (falloff.end) {
+    best_value = std::numeric_limits<double>::infinity();
+    const std::size_t first = free_coefficients(falloff).front();
+    best[first] = double(rest_at_end(falloff)) / powers(falloff.end->x)[first];
+  }
   for (unsigned set = 1; set < 8; ++set) {
     if (falloff.constant && (set & 1) != 0) continue;
     std::vector<Eigen::Index> chosen;
@@ -258,7 +263,8 @@ Coefficients linear_start(const Falloff& falloff) {
     const Eigen::VectorXd solution = system.fullPivLu().solve(values);
     Eigen::Vector3d q = Eigen::Vector3d::Zero();
     q(chosen) = solution.head(count);
-    if (!((solution.head(count).array() > 0).all() && q.allFinite())) continue;
+    if (falloff.end && count == 1) q(chosen).setConstant(1);  // to be put onto the end below
+    if (!((q(chosen).array() > 0).all() && q.allFinite())) continue;
     if (falloff.end) q *= double(rest_at_end(falloff)) / at_end.dot(q);  // whatever the rank
     const double value = q.dot(normal * q) - 2 * right.dot(q);
     if (value < best_value) {

@@ -183,32 +183,13 @@ TEST(AttenuationFit, NoSearchFromManyStartsFindsABetterFit) {
   boxes.check();
 }
 
-/// The least objective of attenuations with the target's extent on a grid of constants and of linear terms' shares.
-double least_on_grid(const AttenuationTarget& target) {
-  const double extent = *target.extent, top = 1 / target.threshold, largest = (1 - 0x1p-20) * top;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i <= 400; ++i) {  // evenly, then ever nearer to the largest
-    const double fraction = i < 200 ? i / 200.0 : i < 400 ? -std::expm1((199 - i) / 14.0) : 1;
-    const double constant = target.constant.value_or(largest * fraction), rest = top - constant;
-    for (const double share : {0.0, 1e-9, 1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.0}) {
-      const Attenuation at{constant, rest * share / extent, rest * (1 - share) / extent / extent};
-      double objective = 0;
-      for (const auto& [range, attenuation, weight] : target.samples) {
-        const double residual = std::log(attenuation_at(at, range) / attenuation);
-        objective += weight * residual * residual;
-      }
-      least = std::min(least, objective);
-    }
-  }
-  return least;
-}
-
 TEST(AttenuationFit, SamplesAnyNumberOfExtentsAwayHaveTheirBestFit) {
   Random random(14);
   int optimal = 0;
   for (int i = 0; i < scaled_count(300); ++i) {
     AttenuationTarget target{.threshold = random.pick(std::array{1e-6, 0.01, 0.05, 0.5}),
-                             .extent = random.log_uniform(1e-8, 1e8)};
+                             .extent = random.log_uniform(1e-8, 1e8),
+                             .is_robust = random.chance(0.2)};
     if (random.chance(0.25)) target.constant = 0.9 / target.threshold * random.log_uniform(1e-3, 1);
     double range = random.log_uniform(0.01, 10), weights = 0;
     for (int k = int(random.uniform(1, 6)); k > 0; --k, range *= random.uniform(1.1, 3)) {
@@ -218,7 +199,8 @@ TEST(AttenuationFit, SamplesAnyNumberOfExtentsAwayHaveTheirBestFit) {
     const AttenuationFit fit = fit_attenuation(target);
     if (fit.status != AttenuationFitStatus::optimal) continue;
     ++optimal;
-    EXPECT_GE(least_on_grid(target), fit.objective * (1 - 1e-7) - 1e-20 * weights) << describe(target);
+    const FalloffReferenceSearch search(target, fit.loss_scale);
+    EXPECT_GE(search.least_on_grid(), fit.objective * (1 - 1e-7) - 1e-20 * weights) << describe(target);
   }
   EXPECT_GT(optimal, scaled_count(100));
 }

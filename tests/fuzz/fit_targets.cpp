@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <string_view>
 
 #include "fit/random_target.h"
 #include "fuzz/fuzz_target.h"
 #include "fuzz/wild_number.h"
+#include "reference/falloff_reference.h"
 
 namespace litfog::test {
 namespace {
@@ -24,6 +26,13 @@ void expect_fitted(const AttenuationTarget& target) {
   if (!target.extent) return;
   const double extent = std::clamp(*target.extent, 1e-30, 1e30);  // it may be the float of a limit
   EXPECT_LE(std::abs(compute_extent(fit.attenuation, target.threshold) / extent - 1), 1e-12);
+  if (target.samples.empty() || fit.status != AttenuationFitStatus::optimal) return;
+  const FalloffReferenceSearch search(target, fit.loss_scale);
+  double weights = 0;
+  for (const AttenuationSample& sample : target.samples) weights += sample.weight;
+  const auto [constant, linear, quadratic] = fit.attenuation;
+  const double objective = search.objective(std::array{constant, linear, quadratic});
+  EXPECT_GE(search.least_on_grid(), objective * (1 - 1e-7) - 1e-20 * weights);
 }
 
 void fit_range(std::string_view bytes) {

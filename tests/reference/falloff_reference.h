@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Dense>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -66,6 +67,21 @@ class FalloffReferenceSearch {
       }
     }
     return best;
+  }
+
+  /// The least objective of attenuations with the target's extent, on a grid of constants and of linear terms' shares.
+  double least_on_grid() const {
+    const double extent = *target_.extent, top = 1 / target_.threshold, largest = (1 - 0x1p-20) * top;
+    double least = std::numeric_limits<double>::infinity();
+    for (int i = 0; i <= (target_.constant ? 0 : 200); ++i) {  // evenly, then ever nearer to the largest
+      const double fraction = i < 100 ? i / 100.0 : i < 200 ? -std::expm1((99 - i) / 7.0) : 1;
+      const double constant = target_.constant.value_or(largest * fraction), rest = top - constant;
+      for (const double share : {0.0, 1e-9, 1e-6, 1e-4, 1e-2, 0.1, 0.3, 0.5, 0.7, 0.9, 0.99, 1.0}) {
+        const std::array q{constant, rest * share / extent, rest * (1 - share) / extent / extent};
+        least = std::min(least, objective(q));
+      }
+    }
+    return least;
   }
 
   /// The optimum in the face of a point near it.

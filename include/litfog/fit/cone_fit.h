@@ -107,7 +107,8 @@ struct ConeFit {
 ///              samples at full intensity allow
 ///
 /// returns      each profile, and which is best; covariance is absent where these rules made the choice
-/// max error    objective 0.1 % above the global minimum, or 1e-20 of sum of weight * (I / I_max)^2 (cone_fit_test.cpp)
+/// max error    of an optimal fit, objective 0.1 % above the least, or 1e-20 of sum of weight * (I / I_max)^2
+///                                                                                              (cone_fit_test.cpp)
 /// throws       std::invalid_argument with the sentence of find_error(target)
 ConeFit fit_cone(const ConeTarget& target);
 
