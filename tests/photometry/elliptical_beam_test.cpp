@@ -113,14 +113,14 @@ TEST(EllipticalBeam, FluxIsTheIntegralOverTheLines) {
 double flux_of(const std::vector<IsocandelaEllipse>& lines) {
   const auto half_plane = [&](double turn) {
     double flux = 0, inner_edge = 0, inner = lines.front().intensity;
-    for (const auto& [intensity, horizontal, vertical] : lines) {
-      const double edge = 1 / std::hypot(std::cos(turn) / horizontal, std::sin(turn) / vertical);
+    for (const IsocandelaEllipse& line : lines) {
+      const double edge = 1 / std::hypot(std::cos(turn) / line.horizontal, std::sin(turn) / line.vertical);
       const auto ring = [&](double t) {
-        return std::lerp(inner, intensity, t) * std::sin(std::lerp(inner_edge, edge, t)) * (edge - inner_edge);
+        return std::lerp(inner, line.intensity, t) * std::sin(std::lerp(inner_edge, edge, t)) * (edge - inner_edge);
       };
       flux += Quadrature::integrate(ring, 0, 1, 3, 1e-10);
       inner_edge = edge;
-      inner = intensity;
+      inner = line.intensity;
     }
     return flux;
   };
