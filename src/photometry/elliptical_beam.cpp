@@ -13,12 +13,12 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double kLeastAxis = 1e-6;  // radians: a thousand tolerances of angles
-constexpr double kMostEdge = 1e-3;   // of a beam's width, the edge of a narrow one
-constexpr int kAngles = 512;         // from the axis to a line, in steps of those between it and the line within
-constexpr int kDarkAngles = 32;      // from there to 180 degrees
-constexpr int kPlanes = 180;         // in a quarter turn
-constexpr int kCircleSteps = 512;    // in a quarter turn
+constexpr double kLeastAxis = 1e-100;  // radians: squares do not underflow
+constexpr double kMostEdge = 1e-3;     // of a beam's width, the edge of a narrow one
+constexpr int kAngles = 512;           // from the axis to a line, in steps of those between it and the line within
+constexpr int kDarkAngles = 32;        // from there to 180 degrees
+constexpr int kPlanes = 180;           // in a quarter turn
+constexpr int kCircleSteps = 512;      // in a quarter turn
 
 /// Angle from the axis of an ellipse's direction.
 double angle_at(double horizontal, double vertical, double turn) {
@@ -65,10 +65,11 @@ std::optional<ValueError> find_error(const std::vector<IsocandelaEllipse>& ellip
       return ValueError{"intensity", intensity, "must be in [0, 1e30] and at most that of the ellipse within"};
     }
     if (!(horizontal > inner.horizontal && is_within(horizontal, kLeastAxis, pi))) {
-      return ValueError{"horizontal", horizontal, "must be in [1e-6, pi] and greater than that of the ellipse within"};
+      return ValueError{"horizontal", horizontal,
+                        "must be in [1e-100, pi] and greater than that of the ellipse within"};
     }
     if (!(vertical > inner.vertical && is_within(vertical, kLeastAxis, pi))) {
-      return ValueError{"vertical", vertical, "must be in [1e-6, pi] and greater than that of the ellipse within"};
+      return ValueError{"vertical", vertical, "must be in [1e-100, pi] and greater than that of the ellipse within"};
     }
     inner = ellipse;
   }

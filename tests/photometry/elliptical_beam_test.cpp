@@ -158,9 +158,10 @@ TEST(EllipticalBeam, WrongLinesAreRefused) {
   EXPECT_EQ(rule_of({{0, 1, 1}}), "intensity = 0: must be > 0 in the first ellipse");
   EXPECT_EQ(rule_of({{1, 1, 1}, {2, 2, 2}}),
             "intensity = 2: must be in [0, 1e30] and at most that of the ellipse within");
-  EXPECT_EQ(rule_of({{1, 0, 1}}), "horizontal = 0: must be in [1e-6, pi] and greater than that of the ellipse within");
+  EXPECT_EQ(rule_of({{1, 0, 1}}),
+            "horizontal = 0: must be in [1e-100, pi] and greater than that of the ellipse within");
   EXPECT_EQ(rule_of({{1, 1, 2}, {1, 2, 2}}),
-            "vertical = 2: must be in [1e-6, pi] and greater than that of the ellipse within");
+            "vertical = 2: must be in [1e-100, pi] and greater than that of the ellipse within");
   EXPECT_EQ(rule_of(kSideRow), "(accepted)");
   EXPECT_THROW(elliptical_beam({}), std::invalid_argument);
 }

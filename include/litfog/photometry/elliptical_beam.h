@@ -14,8 +14,8 @@ namespace litfog {
 /// (u cos t / horizontal)^2 + (u sin t / vertical)^2 = 1.
 struct IsocandelaEllipse {
   double intensity = 0;   ///< candela, [0, 1e30]
-  double horizontal = 0;  ///< half axis, radians, [1e-6, pi]
-  double vertical = 0;    ///< half axis, radians, [1e-6, pi]
+  double horizontal = 0;  ///< half axis, radians, [1e-100, pi]
+  double vertical = 0;    ///< half axis, radians, [1e-100, pi]
 };
 
 /// What is wrong with ellipses, or nothing. There must be at least one, and not all may be dark. From one to the next,
