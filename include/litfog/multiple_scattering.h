@@ -176,7 +176,7 @@ inline double multiple_scattering(const PlacedLight& light, const Atmosphere& at
 /// Light that comes from many directions, of one lamp or of several: the lights of lamps add up.
 struct DiffuseLight {
   double all = 0;        ///< the integral of the radiance over all directions
-  glm::dvec3 flow{0.0};  ///< that of the radiance times the direction in which it travels
+  glm::dvec3 flow{0.0};  ///< that of the radiance times the direction in which it travels; no longer than `all`
 
   DiffuseLight& operator+=(const DiffuseLight& other) { return all += other.all, flow += other.flow, *this; }
   friend DiffuseLight operator*(double scale, const DiffuseLight& light) {

@@ -235,6 +235,25 @@ TEST(ScatteredLight, NoneIsLost) {
   }
 }
 
+// Of narrow beams in fog that scatters forwards, all light flows one way. The two are made soft by different ranges.
+TEST(ScatteredLight, FlowsNoMoreThanThereIs) {
+  Random random(4207);
+  for (const Phase& phase : {Phase{}, Phase::henyey_greenstein(0.95), Phase::droplets(10)}) {
+    const Atmosphere air = uniform_fog(0.1, phase);
+    const ThinBeams beams = make_thin_beams(air, make_scattering_table(air));
+    for (int i = 0; i < 300; ++i) {
+      PlacedLight lamp = inverse_square_lamp({});
+      lamp.light.attenuation = {1, 0, random.chance(0.5) ? 0 : random.log_uniform(1e-5, 1)};
+      lamp.light.cone = Cone::smoothstep(0, random.log_uniform(0.05, 1.5));
+      lamp.direction = draw_direction(random);
+      const ScatteringSource source = scattering_source(lamp.light, air, beams);
+      const dvec3 place = random.log_uniform(0.1, 300) * draw_direction(random);
+      const DiffuseLight light = scattered_light(lamp, source, air, place);
+      EXPECT_LE(glm::length(light.flow), light.all * (1 + 1e-12)) << glm::length(place);
+    }
+  }
+}
+
 TEST(MultipleScattering, FogOfOneDensityAtAllHeightsIsUniform) {
   for (const Phase& phase : {Phase{}, Phase::droplets(10)}) {
     const Atmosphere uniform = uniform_fog(0.05, phase);

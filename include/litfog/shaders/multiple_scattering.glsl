@@ -193,7 +193,7 @@ LITFOG_REAL litfog_beam_share(LitfogAirlight air, LITFOG_REAL along, LITFOG_REAL
 
 // Light that the fog has scattered once or more often, at a place. Over the lamp's effective intensity, 1/m^2.
 struct LitfogScatteredLight {
-  LITFOG_REAL all;     // from all directions
+  LITFOG_REAL all;     // from all directions; no less than the flow
   LITFOG_REAL radial;  // flow away from the lamp
   LITFOG_REAL turned;  // flow away from the beam's axis, at right angles to that
 };
@@ -218,7 +218,8 @@ LitfogScatteredLight litfog_scattered_light(LITFOG_REAL density, LITFOG_REAL ran
   LITFOG_REAL flowing = sqrt(range * range + of_flow * of_flow);
   LITFOG_REAL flow = litfog_expm1(-density * flowing) * LITFOG_REAL(-1.0) / (flowing * flowing) * (range / flowing);
   LitfogScatteredLight light;
-  light.all = litfog_expm1(-depth) * LITFOG_REAL(-1.0) / (soft * soft) * scattered.share / scattered.forward;
+  light.all = max(litfog_expm1(-depth) * LITFOG_REAL(-1.0) / (soft * soft) * scattered.share / scattered.forward,
+                  flow * sqrt(scattered.radial * scattered.radial + scattered.turned * scattered.turned));
   light.radial = flow * scattered.radial;
   light.turned = flow * scattered.turned;
   return light;
