@@ -19,7 +19,7 @@ using namespace files;
 namespace {
 
 /// The sentence of what is wrong with a document, which is read as {"threshold": number, "color": number}.
-std::string error_of(const std::string& text) {
+std::string hint_error(const std::string& text) {
   return sentence_of<InputError>([&] {
     const JsonValue root = parse_json(text, "f");
     root.allow_only({"threshold", "color"});
@@ -30,10 +30,10 @@ std::string error_of(const std::string& text) {
 }
 
 TEST(Hint, MisspeltMemberIsNamed) {
-  EXPECT_EQ(error_of(R"({"treshold": 1})"),
+  EXPECT_EQ(hint_error(R"({"treshold": 1})"),
             "f:1:2: \"treshold\": must be one of threshold, color; did you mean threshold?");
-  EXPECT_EQ(error_of(R"({"Colour": 1})"), "f:1:2: \"Colour\": must be one of threshold, color; did you mean color?");
-  EXPECT_EQ(error_of(R"({"weather": 1})"), "f:1:2: \"weather\": must be one of threshold, color");
+  EXPECT_EQ(hint_error(R"({"Colour": 1})"), "f:1:2: \"Colour\": must be one of threshold, color; did you mean color?");
+  EXPECT_EQ(hint_error(R"({"weather": 1})"), "f:1:2: \"weather\": must be one of threshold, color");
 }
 
 TEST(Hint, SlipsOfEachKindAreFew) {
@@ -51,27 +51,27 @@ TEST(Hint, NearestOfTwoWordsIsMeant) {
 }
 
 TEST(Hint, PercentageIsShownAsAFraction) {
-  EXPECT_EQ(error_of(R"({"threshold": 5})"), "f:1:15: threshold = 5: must be in (0, 1); 5 % is 0.05");
-  EXPECT_EQ(error_of(R"({"threshold": 1.1})"), "f:1:15: threshold = 1.1: must be in (0, 1); 1.1 % is 0.011");
-  EXPECT_EQ(error_of(R"({"threshold": "5 %"})"), "f:1:15: threshold = \"5 %\": must be a number; 5 % is 0.05");
-  EXPECT_EQ(error_of(R"({"threshold": "%"})"), "f:1:15: threshold = \"%\": must be a number");
-  EXPECT_EQ(error_of(R"({"threshold": 200})"), "f:1:15: threshold = 200: must be in (0, 1)");
-  EXPECT_EQ(error_of(R"({"threshold": -5})"), "f:1:15: threshold = -5: must be in (0, 1)");
+  EXPECT_EQ(hint_error(R"({"threshold": 5})"), "f:1:15: threshold = 5: must be in (0, 1); 5 % is 0.05");
+  EXPECT_EQ(hint_error(R"({"threshold": 1.1})"), "f:1:15: threshold = 1.1: must be in (0, 1); 1.1 % is 0.011");
+  EXPECT_EQ(hint_error(R"({"threshold": "5 %"})"), "f:1:15: threshold = \"5 %\": must be a number; 5 % is 0.05");
+  EXPECT_EQ(hint_error(R"({"threshold": "%"})"), "f:1:15: threshold = \"%\": must be a number");
+  EXPECT_EQ(hint_error(R"({"threshold": 200})"), "f:1:15: threshold = 200: must be in (0, 1)");
+  EXPECT_EQ(hint_error(R"({"threshold": -5})"), "f:1:15: threshold = -5: must be in (0, 1)");
 }
 
 TEST(Hint, OneInFloatsIsNoPercentage) {
-  EXPECT_EQ(error_of(R"({"threshold": 1.0000001192092896})"),
+  EXPECT_EQ(hint_error(R"({"threshold": 1.0000001192092896})"),
             "f:1:15: threshold = 1.0000001192092896: must be in (0, 1)");
 }
 
 TEST(Hint, NumberInQuotationMarksIsShownWithout) {
-  EXPECT_EQ(error_of(R"({"threshold": "0.05"})"),
+  EXPECT_EQ(hint_error(R"({"threshold": "0.05"})"),
             "f:1:15: threshold = \"0.05\": must be a number; write 0.05, without quotation marks");
   EXPECT_EQ(hint_for_quoted_number(" .5 "), "; write 0.5, without quotation marks") << "as JSON has it";
   EXPECT_EQ(hint_for_quoted_number("nan"), "") << "which JSON lacks";
   EXPECT_EQ(hint_for_quoted_number("inf"), "");
-  EXPECT_EQ(error_of(R"({"threshold": "low"})"), "f:1:15: threshold = \"low\": must be a number");
-  EXPECT_EQ(error_of(R"({"threshold": ""})"), "f:1:15: threshold = \"\": must be a number");
+  EXPECT_EQ(hint_error(R"({"threshold": "low"})"), "f:1:15: threshold = \"low\": must be a number");
+  EXPECT_EQ(hint_error(R"({"threshold": ""})"), "f:1:15: threshold = \"\": must be a number");
 }
 
 /// Any bytes, among them many that names, numbers and paths are made of.
@@ -112,8 +112,8 @@ RC_GTEST_PROP(Hint, AnyNamesPathsAndValuesAreReadOrRefused, ()) {
   for (const char c : name) {
     if (c != '"' && static_cast<unsigned char>(c) >= ' ') quoted += c;
   }
-  error_of("{" + quoted + "\": 1}");
-  error_of("{\"threshold\": " + value + "}");
+  hint_error("{" + quoted + "\": 1}");
+  hint_error("{\"threshold\": " + value + "}");
   try {
     const JsonValue document = parse_json(R"({"threshold": 0.5, "lights": [{"range": 1}]})", "f");
     if (!name.empty()) with_value(document, name, parse_json("7", "--set"), "--set").allow_only({"threshold"});

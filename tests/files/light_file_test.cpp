@@ -23,7 +23,7 @@ using std::numbers::pi;
 
 Light parse(const std::string& text) { return parse_light(parse_json(text, "f")); }
 
-std::string error_of(const std::string& text) {
+std::string light_file_error(const std::string& text) {
   return sentence_of<InputError>([&] { parse(text); });
 }
 
@@ -64,23 +64,24 @@ TEST(LightFile, AngleThatFloatsRoundBeyondALimitIsTheLimit) {
   };
   EXPECT_EQ(cone_of(R"({"profile": "cosine", "half_angle_deg": 90.0000025, "exponent": 0})"), Cone::cosine(pi / 2, 0));
   EXPECT_EQ(cone_of(R"({"profile": "smoothstep", "inner_deg": 0, "outer_deg": 180.00001})"), Cone::smoothstep(0, pi));
-  EXPECT_EQ(error_of("{\"attenuation\": {\"linear\": 1},\n\"cone\": "
-                     R"({"profile": "cosine", "half_angle_deg": 90.00002, "exponent": 0}})"),
+  EXPECT_EQ(light_file_error("{\"attenuation\": {\"linear\": 1},\n\"cone\": "
+                             R"({"profile": "cosine", "half_angle_deg": 90.00002, "exponent": 0}})"),
             "f:2:49: cone.half_angle_deg = 90.00002: must be in (0, 90]");
 }
 
 TEST(LightFile, WrongMemberIsAnErrorAtItsLocationInTheFilesTerms) {
   const auto with = [](const std::string& members) {
-    return error_of("{\"attenuation\": {\"linear\": 1},\n" + members + "}");
+    return light_file_error("{\"attenuation\": {\"linear\": 1},\n" + members + "}");
   };
-  EXPECT_EQ(error_of("{}"), "f:1:1: attenuation: must be given");
-  EXPECT_EQ(error_of(R"({"attenuation": 1})"), "f:1:17: attenuation = 1: must be an object");
-  EXPECT_EQ(error_of(R"({"attenuation": {}})"),
+  EXPECT_EQ(light_file_error("{}"), "f:1:1: attenuation: must be given");
+  EXPECT_EQ(light_file_error(R"({"attenuation": 1})"), "f:1:17: attenuation = 1: must be an object");
+  EXPECT_EQ(light_file_error(R"({"attenuation": {}})"),
             "f:1:17: attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
-  EXPECT_EQ(error_of(R"({"attenuation": {"constant": 0}})"),
+  EXPECT_EQ(light_file_error(R"({"attenuation": {"constant": 0}})"),
             "f:1:30: attenuation.constant = 0: must be > 0 where linear and quadratic are 0");
-  EXPECT_EQ(error_of(R"({"attenuation": {"linear": -1}})"), "f:1:28: attenuation.linear = -1: must be finite and >= 0");
-  EXPECT_EQ(error_of(R"({"attenuation": {"square": 1}})"),
+  EXPECT_EQ(light_file_error(R"({"attenuation": {"linear": -1}})"),
+            "f:1:28: attenuation.linear = -1: must be finite and >= 0");
+  EXPECT_EQ(light_file_error(R"({"attenuation": {"square": 1}})"),
             "f:1:18: \"square\": must be one of constant, linear, quadratic");
   EXPECT_EQ(with(R"("threshold": 1)"), "f:2:14: threshold = 1: must be in (0, 1)");
   EXPECT_EQ(with(R"("threshold": null)"), "f:2:14: threshold = null: must be a number");
@@ -110,7 +111,7 @@ TEST(LightFile, WrongMemberIsAnErrorAtItsLocationInTheFilesTerms) {
 
 TEST(LightFile, WrongConeIsAnErrorInDegrees) {
   const auto with = [](const std::string& cone) {
-    return error_of("{\"attenuation\": {\"linear\": 1},\n\"cone\": " + cone + "}");
+    return light_file_error("{\"attenuation\": {\"linear\": 1},\n\"cone\": " + cone + "}");
   };
   EXPECT_EQ(with("{}"), "f:2:9: cone.profile: must be given");
   EXPECT_EQ(with(R"({"profile": "best"})"), R"(f:2:21: cone.profile = "best": must be one of cosine, smoothstep)");

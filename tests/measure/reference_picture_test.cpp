@@ -8,7 +8,6 @@
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 #include <limits>
-#include <numbers>
 #include <numeric>
 #include <optional>
 
@@ -16,6 +15,7 @@
 #include "gl/gl_test.h"
 #include "measure/path_model.h"
 #include "measure/picture_error.h"
+#include "reference/degree.h"
 #include "reference/srgb.h"
 #include "render/pixel.h"
 #include "scene/file/scene_file.h"
@@ -550,8 +550,8 @@ TEST_F(ReferencePictureTest, AllOrdersInLayersAreThoseOfTheReference) {
     settings.scattering = Scattering::all;
     Renderer renderer(scene, 48, 27, settings);
     const PictureError error = error_in(renderer, Fog::from_visibility(FogMode::exp, suggested_visibility(scene)));
-    const std::string measured = fmt::format("{}: largest {:6.3f}, mean {:6.3f}, {} excluded", scene.name, error.largest,
-                                             error.mean, error.excluded);
+    const std::string measured = fmt::format("{}: largest {:6.3f}, mean {:6.3f}, {} excluded", scene.name,
+                                             error.largest, error.mean, error.excluded);
     fmt::print("{}\n", measured);
     EXPECT_LE(error.largest, 12) << measured;
     EXPECT_LE(error.mean, mean) << measured;
@@ -652,7 +652,6 @@ TEST_F(ReferencePictureTest, PathsByLightMapsAndInTangentSpaceAreWithinTheirBoun
 // Lamps that never end, that end at the lamp, that are as bright as the clamp allows, and beams of half a degree to
 // more than half a sphere.
 TEST_F(ReferencePictureTest, OddLampsAreWithinTheBoundsOfTheirPaths) {
-  constexpr double kDegree = std::numbers::pi / 180;
   Scene scene = flat_floor();
   const std::pair<Attenuation, Cone> lamps[] = {{{3, 0, 0}, Cone::smoothstep(0.2 * kDegree, 0.5 * kDegree)},
                                                 {{25, 0.1, 0.01}, Cone{}},

@@ -24,7 +24,7 @@ Cookie random_cookie(int size) {
 }
 
 /// "accepted", or what is wrong with a file without its name.
-std::string error_of(const std::string& bytes) {
+std::string cookie_file_error(const std::string& bytes) {
   try {
     parse_cookie(bytes, "c.exr");
   } catch (const InputError& error) {
@@ -81,11 +81,11 @@ TEST(CookieFile, SameCookieHasTheSameBytesAndNoTime) {
 TEST(CookieFile, ImageThatIsNoColumnOfSixFacesIsAnError) {
   const std::string bytes = format_cookie(random_cookie(5));
   const std::string rule = ": must be N x 6 N from (0, 0), six faces in a column, N at most 4096";
-  EXPECT_EQ(error_of(with_window(bytes, {0, 0, 4, 24})), "size = 5x25" + rule);
-  EXPECT_EQ(error_of(with_window(bytes, {1, 0, 5, 29})), "size = 5x30" + rule);
-  EXPECT_EQ(error_of(with_window(bytes, {0, -1, 4, 28})), "size = 5x30" + rule);
-  EXPECT_EQ(error_of(with_window(bytes, {0, 0, 4096, 24581})), "size = 4097x24582" + rule);
-  EXPECT_EQ(error_of(with_window(bytes, {0, 0, 4095, 24575})),
+  EXPECT_EQ(cookie_file_error(with_window(bytes, {0, 0, 4, 24})), "size = 5x25" + rule);
+  EXPECT_EQ(cookie_file_error(with_window(bytes, {1, 0, 5, 29})), "size = 5x30" + rule);
+  EXPECT_EQ(cookie_file_error(with_window(bytes, {0, -1, 4, 28})), "size = 5x30" + rule);
+  EXPECT_EQ(cookie_file_error(with_window(bytes, {0, 0, 4096, 24581})), "size = 4097x24582" + rule);
+  EXPECT_EQ(cookie_file_error(with_window(bytes, {0, 0, 4095, 24575})),
             "size = 4096x24576: must not be more than the file can hold");
 }
 
@@ -95,23 +95,24 @@ TEST(CookieFile, WindowBeyondAllBoundsIsAnError) {
   constexpr std::int32_t kMost = std::numeric_limits<std::int32_t>::max();
   for (const auto& corners : {std::array{0, 0, kMost, kMost}, std::array{kLeast, kLeast, kMost, kMost},
                               std::array{0, 0, -1, -1}, std::array{4, 29, 0, 0}, std::array{0, 0, 4, kMost}}) {
-    EXPECT_NE(error_of(with_window(bytes, corners)), "accepted");
+    EXPECT_NE(cookie_file_error(with_window(bytes, corners)), "accepted");
   }
 }
 
 TEST(CookieFile, ImageOfAnotherKindIsAnError) {
   const std::string bytes = format_cookie(random_cookie(5));
   const std::size_t channels = offset_of(bytes, "channels", "chlist");
-  EXPECT_EQ(error_of(with(bytes, channels + 2, std::int32_t{0})), "channel = Y: must be of 32-bit floats");
-  EXPECT_EQ(error_of(with(with(bytes, channels, '\n'), channels + 2, std::int32_t{0})),
+  EXPECT_EQ(cookie_file_error(with(bytes, channels + 2, std::int32_t{0})), "channel = Y: must be of 32-bit floats");
+  EXPECT_EQ(cookie_file_error(with(with(bytes, channels, '\n'), channels + 2, std::int32_t{0})),
             "channel = ?: must be of 32-bit floats");
-  EXPECT_NE(error_of(with(bytes, channels + 10, std::int32_t{5})), "accepted");  // a sample for five texels
+  EXPECT_NE(cookie_file_error(with(bytes, channels + 10, std::int32_t{5})), "accepted");  // a sample for five texels
   const std::size_t compression = offset_of(bytes, "compression", "compression");
-  EXPECT_EQ(error_of(with(bytes, compression, char{4})), "compression: must be zip, of 16 rows at a time");  // PIZ
+  EXPECT_EQ(cookie_file_error(with(bytes, compression, char{4})),
+            "compression: must be zip, of 16 rows at a time");  // PIZ
   constexpr std::size_t kVersion = 4;
-  EXPECT_NE(error_of(with(bytes, kVersion, std::int32_t{0x202})), "accepted");   // tiled
-  EXPECT_NE(error_of(with(bytes, kVersion, std::int32_t{0x802})), "accepted");   // deep
-  EXPECT_NE(error_of(with(bytes, kVersion, std::int32_t{0x1002})), "accepted");  // several parts
+  EXPECT_NE(cookie_file_error(with(bytes, kVersion, std::int32_t{0x202})), "accepted");   // tiled
+  EXPECT_NE(cookie_file_error(with(bytes, kVersion, std::int32_t{0x802})), "accepted");   // deep
+  EXPECT_NE(cookie_file_error(with(bytes, kVersion, std::int32_t{0x1002})), "accepted");  // several parts
 }
 
 TEST(CookieFile, ValueThatIsNoFractionIsAnError) {
@@ -125,7 +126,7 @@ TEST(CookieFile, ValueThatIsNoFractionIsAnError) {
     const std::string bytes = format_cookie(cookie);
     const std::size_t at = bytes.rfind(std::string("\0\0\0\x3F", 4));
     ASSERT_NE(at, std::string::npos);
-    EXPECT_EQ(error_of(with(bytes, at, wrong)), std::string("texel = ") + shown + ": must be in [0, 1]");
+    EXPECT_EQ(cookie_file_error(with(bytes, at, wrong)), std::string("texel = ") + shown + ": must be in [0, 1]");
     cookie.texels[4] = wrong;
     EXPECT_THROW(format_cookie(cookie), std::invalid_argument);
   }
@@ -133,7 +134,7 @@ TEST(CookieFile, ValueThatIsNoFractionIsAnError) {
 
 TEST(CookieFile, OtherFormatsAreErrors) {
   for (const std::string bytes : {"", "DDS |", "II*\0", "\x76\x2F\x31\x01", "litfog"}) {
-    EXPECT_EQ(error_of(bytes).substr(0, 27), kUnreadable) << bytes;
+    EXPECT_EQ(cookie_file_error(bytes).substr(0, 27), kUnreadable) << bytes;
   }
 }
 
@@ -149,7 +150,7 @@ TEST(CookieFile, CookiesThatHardlyCompressAreReadBack) {
 TEST(CookieFile, EveryTruncationIsAnError) {
   const std::string bytes = format_cookie(random_cookie(6));
   for (std::size_t size = 0; size < bytes.size(); ++size)
-    EXPECT_NE(error_of(bytes.substr(0, size)), "accepted") << size;
+    EXPECT_NE(cookie_file_error(bytes.substr(0, size)), "accepted") << size;
 }
 
 /// Whatever is changed, the file is an error or a sound cookie; anything else fails the test, or the sanitizer.

@@ -8,16 +8,14 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <limits>
-#include <numbers>
 
 #include "core/value_errors.h"
 #include "litfog/photometry/cube_face.h"
+#include "reference/degree.h"
 #include "reference/random_light.h"
 
 namespace litfog::test {
 namespace {
-
-constexpr double kDegree = std::numbers::pi / 180;
 
 /// OpenGL 4.6, section 8.13 and table 8.19: the face and texel that a direction selects, nearest filtering.
 std::size_t selected_texel(const glm::dvec3& r, int size) {

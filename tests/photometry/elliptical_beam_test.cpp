@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "reference/degree.h"
 #include "reference/random_light.h"
 #include "reference/ulp.h"
 
@@ -19,8 +20,6 @@ namespace {
 
 using std::numbers::pi;
 using Quadrature = boost::math::quadrature::gauss_kronrod<double, 31>;
-
-constexpr double kDegree = pi / 180;
 
 /// Approach side row light, EASA CS ADR-DSN.U.940, figure U-6: main beam, 10 % and 5 %.
 const std::vector<IsocandelaEllipse> kSideRow{

@@ -28,21 +28,21 @@ struct EulumdatText {
   }
 };
 
-Luminaire parse(const std::string& text) { return parse_eulumdat(text, "lamp.ldt"); }
+Luminaire parsed_eulumdat(const std::string& text) { return parse_eulumdat(text, "lamp.ldt"); }
 
 /// What is wrong with the sound file with one line replaced.
-std::string error_of(std::size_t line, const std::string& text) {
+std::string eulumdat_error(std::size_t line, const std::string& text) {
   EulumdatText eulumdat;
   eulumdat.lines[line - 1] = text;
-  return photometry_error_of([&] { parse(eulumdat.str()); });
+  return photometry_error_of([&] { parsed_eulumdat(eulumdat.str()); });
 }
 
 TEST(Eulumdat, IntensitiesAreScaledByTheFluxOfTheLamps) {
   EulumdatText eulumdat;
-  EXPECT_EQ(parse(eulumdat.str()).distribution.intensity, (std::vector<double>{500, 100}));
+  EXPECT_EQ(parsed_eulumdat(eulumdat.str()).distribution.intensity, (std::vector<double>{500, 100}));
   eulumdat.lines[28] = "2500";
   eulumdat.lines[23] = "0.5";
-  const Luminaire luminaire = parse(eulumdat.str());
+  const Luminaire luminaire = parsed_eulumdat(eulumdat.str());
   EXPECT_EQ(luminaire.distribution.intensity, (std::vector<double>{625, 125}));
   EXPECT_EQ(luminaire.lamp_flux, 2500);
   EXPECT_EQ(luminaire.light_output_ratio, 0.8);
@@ -98,7 +98,7 @@ TEST(Eulumdat, HalfIsMirroredAtThePlaneOfItsSymmetry) {
   for (const char* line : {"0", "90", "180", "270", "0", "90", "9", "1", "9", "2", "9", "3"})
     half.lines.push_back(line);
   const auto at = [](const EulumdatText& text, double x, double y) {
-    return intensity_at(parse(text.str()).distribution, {x, y, 0});
+    return intensity_at(parsed_eulumdat(text.str()).distribution, {x, y, 0});
   };
   EXPECT_DOUBLE_EQ(at(half, 1, 0), 1);
   EXPECT_DOUBLE_EQ(at(half, 0, 1), 2);
@@ -115,23 +115,23 @@ TEST(Eulumdat, DecimalCommasAndLatin1AreRead) {
   const Luminaire luminaire = our_luminaire("spelling.ldt");
   EXPECT_EQ(luminaire.name, "Quadrant l\xC3\xA4mp");
   EXPECT_EQ(luminaire.manufacturer, "litfog");
-  EXPECT_EQ(error_of(29, "1,000.5"), "29:1: flux of lamps = 1,000.5: must be a finite number");
-  EXPECT_EQ(error_of(29, "1,000,5"), "29:1: flux of lamps = 1,000,5: must be a finite number");
+  EXPECT_EQ(eulumdat_error(29, "1,000.5"), "29:1: flux of lamps = 1,000.5: must be a finite number");
+  EXPECT_EQ(eulumdat_error(29, "1,000,5"), "29:1: flux of lamps = 1,000,5: must be a finite number");
 }
 
 TEST(Eulumdat, OpeningIsInMetres) {
-  const LuminousOpening round = parse(EulumdatText().str()).opening;
+  const LuminousOpening round = parsed_eulumdat(EulumdatText().str()).opening;
   EXPECT_DOUBLE_EQ(round.length, -0.09);
   EXPECT_DOUBLE_EQ(round.width, -0.09);
   EXPECT_DOUBLE_EQ(round.height, 0.004);
   EulumdatText box;
   box.lines[16] = "50";
-  EXPECT_DOUBLE_EQ(parse(box.str()).opening.length, 0.09);
-  EXPECT_DOUBLE_EQ(parse(box.str()).opening.width, 0.05);
+  EXPECT_DOUBLE_EQ(parsed_eulumdat(box.str()).opening.length, 0.09);
+  EXPECT_DOUBLE_EQ(parsed_eulumdat(box.str()).opening.width, 0.05);
   EXPECT_DOUBLE_EQ(opening_radius(round), 0.045);
   EulumdatText none;
   none.lines[15] = "0";
-  EXPECT_EQ(opening_radius(parse(none.str()).opening), 0);
+  EXPECT_EQ(opening_radius(parsed_eulumdat(none.str()).opening), 0);
 }
 
 TEST(Eulumdat, UnusedLinesMayBeBlank) {
@@ -140,51 +140,52 @@ TEST(Eulumdat, UnusedLinesMayBeBlank) {
        {1, 5, 7, 8, 9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 25, 27, 28, 30, 31, 32, 33, 42}) {
     eulumdat.lines[std::size_t(line - 1)] = "";
   }
-  const Luminaire luminaire = parse(eulumdat.str());
+  const Luminaire luminaire = parsed_eulumdat(eulumdat.str());
   EXPECT_EQ(luminaire.distribution.intensity, (std::vector<double>{500, 100}));
   EXPECT_FALSE(stated_flux(luminaire));
 }
 
 TEST(Eulumdat, FieldThatChangesNoIntensityMayBeBlankOrAnyNumber) {
-  const std::vector<double> intensity = parse(EulumdatText().str()).distribution.intensity;
+  const std::vector<double> intensity = parsed_eulumdat(EulumdatText().str()).distribution.intensity;
   std::vector<std::size_t> fields{5, 7, 13, 14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 25, 27};
   for (std::size_t room = 33; room <= 42; ++room) fields.push_back(room);
   for (const std::size_t line : fields) {
     for (const char* text : {"", "0", "-1", "1.5", "4294967295", "-1e300"}) {
       EulumdatText eulumdat;
       eulumdat.lines[line - 1] = text;
-      EXPECT_EQ(parse(eulumdat.str()).distribution.intensity, intensity) << line << ": " << text;
+      EXPECT_EQ(parsed_eulumdat(eulumdat.str()).distribution.intensity, intensity) << line << ": " << text;
     }
   }
   EulumdatText negative;
   negative.lines[22] = "-1";
-  EXPECT_FALSE(stated_flux(parse(negative.str())));
+  EXPECT_FALSE(stated_flux(parsed_eulumdat(negative.str())));
 }
 
 TEST(Eulumdat, BadValueIsAnErrorAtItsLocation) {
   const std::string kFinite = "must be a finite number";
-  EXPECT_EQ(error_of(1, "another company"), "(accepted)");
-  EXPECT_EQ(error_of(2, "4"), "2:1: type indicator Ityp = 4: must be an integer from 0 to 3");
-  EXPECT_EQ(error_of(3, "5"), "3:1: symmetry indicator Isym = 5: must be an integer from 0 to 4");
-  EXPECT_EQ(error_of(3, ""), "3:1: symmetry indicator Isym: must be given");
-  EXPECT_EQ(error_of(4, "2147483648"), "4:1: number of C planes Mc = 2147483648: must be an integer from 1 to 10000");
-  EXPECT_EQ(error_of(6, "-2"), "6:1: number of gamma angles Ng = -2: must be an integer from 2 to 10000");
-  EXPECT_EQ(error_of(6, "two"), "6:1: number of gamma angles Ng = two: " + kFinite);
-  EXPECT_EQ(error_of(13, "long"), "13:1: length = long: " + kFinite);
-  EXPECT_EQ(error_of(23, "most"), "23:1: light output ratio = most: " + kFinite);
-  EXPECT_EQ(error_of(24, "0"), "24:1: conversion factor = 0: must be > 0");
-  EXPECT_EQ(error_of(26, "0"), "26:1: number of lamp sets = 0: must be an integer from 1 to 100");
-  EXPECT_EQ(error_of(29, "0"), "29:1: flux of lamps = 0: must be > 0");
-  EXPECT_EQ(error_of(29, "inf"), "29:1: flux of lamps = inf: " + kFinite);
-  EXPECT_EQ(error_of(33, "x"), "33:1: direct ratio = x: " + kFinite);
-  EXPECT_EQ(error_of(43, "361"), "43:1: C plane 1 of 1 = 361: must be in [-180, 360]");
-  EXPECT_EQ(error_of(45, "180.5"), "45:1: gamma angle 2 of 2 = 180.5: must be in [0, 180]");
-  EXPECT_EQ(error_of(45, "0"), "45:1: gamma angle 2 of 2 = 0: must be greater than the one before, 0");
-  EXPECT_EQ(error_of(46, "-1"), "46:1: intensity 1 of 2 = -1: must be >= 0");
-  EXPECT_EQ(error_of(47, " nan"), "47:2: intensity = nan: " + kFinite);
-  EXPECT_EQ(error_of(47, "100\n5"),
+  EXPECT_EQ(eulumdat_error(1, "another company"), "(accepted)");
+  EXPECT_EQ(eulumdat_error(2, "4"), "2:1: type indicator Ityp = 4: must be an integer from 0 to 3");
+  EXPECT_EQ(eulumdat_error(3, "5"), "3:1: symmetry indicator Isym = 5: must be an integer from 0 to 4");
+  EXPECT_EQ(eulumdat_error(3, ""), "3:1: symmetry indicator Isym: must be given");
+  EXPECT_EQ(eulumdat_error(4, "2147483648"),
+            "4:1: number of C planes Mc = 2147483648: must be an integer from 1 to 10000");
+  EXPECT_EQ(eulumdat_error(6, "-2"), "6:1: number of gamma angles Ng = -2: must be an integer from 2 to 10000");
+  EXPECT_EQ(eulumdat_error(6, "two"), "6:1: number of gamma angles Ng = two: " + kFinite);
+  EXPECT_EQ(eulumdat_error(13, "long"), "13:1: length = long: " + kFinite);
+  EXPECT_EQ(eulumdat_error(23, "most"), "23:1: light output ratio = most: " + kFinite);
+  EXPECT_EQ(eulumdat_error(24, "0"), "24:1: conversion factor = 0: must be > 0");
+  EXPECT_EQ(eulumdat_error(26, "0"), "26:1: number of lamp sets = 0: must be an integer from 1 to 100");
+  EXPECT_EQ(eulumdat_error(29, "0"), "29:1: flux of lamps = 0: must be > 0");
+  EXPECT_EQ(eulumdat_error(29, "inf"), "29:1: flux of lamps = inf: " + kFinite);
+  EXPECT_EQ(eulumdat_error(33, "x"), "33:1: direct ratio = x: " + kFinite);
+  EXPECT_EQ(eulumdat_error(43, "361"), "43:1: C plane 1 of 1 = 361: must be in [-180, 360]");
+  EXPECT_EQ(eulumdat_error(45, "180.5"), "45:1: gamma angle 2 of 2 = 180.5: must be in [0, 180]");
+  EXPECT_EQ(eulumdat_error(45, "0"), "45:1: gamma angle 2 of 2 = 0: must be greater than the one before, 0");
+  EXPECT_EQ(eulumdat_error(46, "-1"), "46:1: intensity 1 of 2 = -1: must be >= 0");
+  EXPECT_EQ(eulumdat_error(47, " nan"), "47:2: intensity = nan: " + kFinite);
+  EXPECT_EQ(eulumdat_error(47, "100\n5"),
             "48:1: number after the last intensity = 5: must not be there by the file's counts");
-  EXPECT_EQ(error_of(47, ""), "47:1: intensity 2 of 2: must be given");
+  EXPECT_EQ(eulumdat_error(47, ""), "47:1: intensity 2 of 2: must be given");
 }
 
 TEST(Eulumdat, PlanesThatDoNotFitTheSymmetryAreAnError) {
@@ -194,7 +195,7 @@ TEST(Eulumdat, PlanesThatDoNotFitTheSymmetryAreAnError) {
     eulumdat.lines[3] = std::to_string(planes.size());
     eulumdat.lines.erase(eulumdat.lines.begin() + 42);
     eulumdat.lines.insert(eulumdat.lines.begin() + 42, planes.begin(), planes.end());
-    const std::string text = photometry_error_of([&] { parse(eulumdat.str()); });
+    const std::string text = photometry_error_of([&] { parsed_eulumdat(eulumdat.str()); });
     return text.substr(0, text.find(':', text.find('=')));
   };
   EXPECT_EQ(error("0", {"0", "90", "180"}), "45:1: last C plane = 180");
@@ -210,11 +211,13 @@ TEST(Eulumdat, PlanesThatDoNotFitTheSymmetryAreAnError) {
 TEST(Eulumdat, MissingPlaneIsAnError) {
   std::string text = bytes_of(std::string(LITFOG_PHOTOMETRY_DIR) + "/isym_0.ldt");
   for (int line = 0; line < 4; ++line) text.erase(text.rfind('\n', text.size() - 2) + 1);
-  EXPECT_NE(photometry_error_of([&] { parse(text); }).find("intensity 29 of 32: must be given, but the file ends here"),
+  EXPECT_NE(photometry_error_of([&] {
+              parsed_eulumdat(text);
+            }).find("intensity 29 of 32: must be given, but the file ends here"),
             std::string::npos);
   EulumdatText cut;
   cut.lines.resize(42);
-  EXPECT_EQ(photometry_error_of([&] { parse(cut.str()); }),
+  EXPECT_EQ(photometry_error_of([&] { parsed_eulumdat(cut.str()); }),
             "43:1: C plane 1 of 1: must be given, but the file ends here");
 }
 
@@ -223,7 +226,7 @@ TEST(Eulumdat, EveryMutationIsReadOrAnError) {
   for (const auto& entry : std::filesystem::directory_iterator(LITFOG_PHOTOMETRY_DIR)) {
     if (entry.path().extension() != ".ldt") continue;
     SCOPED_TRACE(entry.path().string());
-    expect_mutations_read_or_fail(bytes_of(entry.path()), 2000, ++seed, parse);
+    expect_mutations_read_or_fail(bytes_of(entry.path()), 2000, ++seed, parsed_eulumdat);
   }
 }
 

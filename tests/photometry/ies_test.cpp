@@ -8,13 +8,12 @@
 #include "command/temporary_directory.h"
 #include "photometry/memory_limit.h"
 #include "photometry/photometric_file.h"
+#include "reference/degree.h"
 
 namespace litfog::test {
 namespace {
 
 using std::numbers::pi;
-
-constexpr double kDegree = pi / 180;
 
 /// A sound file; each test spoils a part of it.
 struct IesText {
@@ -34,16 +33,16 @@ struct IesText {
   }
 };
 
-Luminaire parse(const std::string& text) { return parse_ies(text, "lamp.ies"); }
-std::string error_of(const std::string& text) {
-  return photometry_error_of([&] { parse(text); });
+Luminaire parsed_ies(const std::string& text) { return parse_ies(text, "lamp.ies"); }
+std::string ies_error(const std::string& text) {
+  return photometry_error_of([&] { parsed_ies(text); });
 }
 
 /// What is wrong with the sound file with one part replaced.
-std::string error_of(std::string IesText::*part, const std::string& text) {
+std::string ies_error(std::string IesText::*part, const std::string& text) {
   IesText ies;
   ies.*part = text;
-  return error_of(ies.str());
+  return ies_error(ies.str());
 }
 
 std::string number(double x) {
@@ -70,8 +69,8 @@ TEST(Ies, NumberOfLampsMultipliesTheirFluxButNoIntensity) {
   EXPECT_FALSE(two.is_absolute);
   IesText three;
   three.lamps = "3 1000 1 ";
-  EXPECT_EQ(parse(three.str()).lamp_flux, 3000);
-  EXPECT_EQ(find_peak(parse(three.str()).distribution).intensity, 100);
+  EXPECT_EQ(parsed_ies(three.str()).lamp_flux, 3000);
+  EXPECT_EQ(find_peak(parsed_ies(three.str()).distribution).intensity, 100);
 }
 
 TEST(Ies, LumensOfMinusOneAreAbsolutePhotometry) {
@@ -81,16 +80,16 @@ TEST(Ies, LumensOfMinusOneAreAbsolutePhotometry) {
   EXPECT_FALSE(stated_flux(absolute));
   IesText unknown;
   unknown.lamps = "1 0 1 ";
-  EXPECT_FALSE(parse(unknown.str()).is_absolute);
-  EXPECT_FALSE(parse(unknown.str()).lamp_flux);
+  EXPECT_FALSE(parsed_ies(unknown.str()).is_absolute);
+  EXPECT_FALSE(parsed_ies(unknown.str()).lamp_flux);
 }
 
 TEST(Ies, FieldThatChangesNoIntensityMayBeAnyNumber) {
-  const std::vector<double> intensity = parse(IesText().str()).distribution.intensity;
+  const std::vector<double> intensity = parsed_ies(IesText().str()).distribution.intensity;
   const auto expect_read = [&](std::string IesText::*part, const std::string& text) {
     IesText ies;
     ies.*part = text;
-    const Luminaire luminaire = parse(ies.str());
+    const Luminaire luminaire = parsed_ies(ies.str());
     EXPECT_EQ(luminaire.distribution.intensity, intensity) << text;
     return luminaire;
   };
@@ -111,16 +110,16 @@ TEST(Ies, LuminaireIsNamedByTheLabel) {
   EXPECT_EQ(our_luminaire("edition_1991.ies").manufacturer, "litfog");
   IesText ies;
   ies.label = "IESNA:LM-63-2002\n[LUMCAT] L 1\n[OTHER] x\n[MORE] y\n";
-  EXPECT_EQ(parse(ies.str()).name, "L 1");
+  EXPECT_EQ(parsed_ies(ies.str()).name, "L 1");
   ies.label += "[LUMINAIRE] Street\n[MORE] light\n[TEST] 1\n[MORE] 2\n[LUMINAIRE] tall\n";
-  EXPECT_EQ(parse(ies.str()).name, "Street light tall");
+  EXPECT_EQ(parsed_ies(ies.str()).name, "Street light tall");
 }
 
 TEST(Ies, NamesAreUtf8WhateverTheirCodePage) {
   const auto name_of = [](const std::string& maker, const std::string& name) {
     IesText ies;
     ies.label = "IESNA:LM-63-2002\n[MANUFAC] " + maker + "\n[LUMINAIRE] " + name + "\n";
-    return parse(ies.str()).name;
+    return parsed_ies(ies.str()).name;
   };
   EXPECT_EQ(name_of("litfog", "Spot \xF8 30\xB0"), "Spot \u00F8 30\u00B0");  // Windows-1252
   EXPECT_EQ(name_of("litfog",
@@ -149,9 +148,9 @@ TEST(Ies, Utf16IsReadWithAndWithoutItsMark) {
         const char low = text[i] == '\xC3' ? text[++i] == '\xA4' ? '\xE4' : '?' : text[i];
         bytes += is_little ? std::string{low, '\0'} : std::string{'\0', low};
       }
-      const Luminaire luminaire = parse(bytes);
+      const Luminaire luminaire = parsed_ies(bytes);
       EXPECT_EQ(luminaire.name, "Lamp \xC3\xA4");
-      expect_same_beam(luminaire, parse(text));
+      expect_same_beam(luminaire, parsed_ies(text));
     }
   }
 }
@@ -159,17 +158,17 @@ TEST(Ies, Utf16IsReadWithAndWithoutItsMark) {
 TEST(Ies, FortransExponentsAreRead) {
   IesText ies;
   ies.intensities = "1.0D+02 5d1 0.D0\n9D1 4.0d+01 0D-3\n";
-  EXPECT_EQ(parse(ies.str()).distribution.intensity, (std::vector<double>{100, 50, 0, 90, 40, 0}));
-  EXPECT_EQ(error_of(&IesText::intensities, "1DD2 50 0\n90 40 0\n"), "8:1: intensity = 1DD2: must be a finite number");
+  EXPECT_EQ(parsed_ies(ies.str()).distribution.intensity, (std::vector<double>{100, 50, 0, 90, 40, 0}));
+  EXPECT_EQ(ies_error(&IesText::intensities, "1DD2 50 0\n90 40 0\n"), "8:1: intensity = 1DD2: must be a finite number");
 }
 
 TEST(Ies, IntensityARoundingBelowZeroIsDark) {
   IesText ies;
   ies.intensities = "-0.1 100 -0.0\n90 -0.01 0\n";
-  EXPECT_EQ(parse(ies.str()).distribution.intensity, (std::vector<double>{0, 100, 0, 90, 0, 0}));
-  EXPECT_EQ(error_of(&IesText::intensities, "-0.11 -0.01 100\n90 40 0\n"),
+  EXPECT_EQ(parsed_ies(ies.str()).distribution.intensity, (std::vector<double>{0, 100, 0, 90, 0, 0}));
+  EXPECT_EQ(ies_error(&IesText::intensities, "-0.11 -0.01 100\n90 40 0\n"),
             "8:1: intensity 1 of 6 = -0.11: must be >= 0");
-  EXPECT_EQ(error_of(&IesText::intensities, "-1 0 0\n0 0 0\n"), "8:1: intensity 1 of 6 = -1: must be >= 0");
+  EXPECT_EQ(ies_error(&IesText::intensities, "-1 0 0\n0 0 0\n"), "8:1: intensity 1 of 6 = -1: must be >= 0");
 }
 
 TEST(Ies, TextThatIsNoUtf8IsTakenAsLatin1) {
@@ -216,9 +215,9 @@ TEST(Ies, AllLineEndsAreKnown) {
   for (const char* line_end : {"\r\n", "\r"}) {
     std::string changed;
     for (const char c : text) changed += c == '\n' ? line_end : std::string(1, c);
-    expect_same_beam(parse(changed), parse(text));
+    expect_same_beam(parsed_ies(changed), parsed_ies(text));
     changed.replace(changed.find("2500"), 4, "x");
-    EXPECT_EQ(error_of(changed), "6:3: lumens per lamp = x: must be a finite number");
+    EXPECT_EQ(ies_error(changed), "6:3: lumens per lamp = x: must be a finite number");
   }
 }
 
@@ -250,17 +249,17 @@ TEST(Ies, PlanesMayBeCountedFromMinus180) {
   negative.horizontal = "-180 -90 0 90 180\n";
   positive.intensities = "9 1 9 2 9 3 9 4 9 1\n";
   negative.intensities = "9 3 9 4 9 1 9 2 9 3\n";
-  expect_same_beam(parse(positive.str()), parse(negative.str()));
+  expect_same_beam(parsed_ies(positive.str()), parsed_ies(negative.str()));
   negative.counts = "2 4 ";  // open
   negative.horizontal = "-180 -90 0 90\n";
   negative.intensities = "9 3 9 4 9 1 9 2\n";
-  expect_same_beam(parse(positive.str()), parse(negative.str()));
+  expect_same_beam(parsed_ies(positive.str()), parsed_ies(negative.str()));
   positive.counts = negative.counts = "2 3 ";  // mirrored
   positive.horizontal = "90 180 270\n";
   negative.horizontal = "-90 0 90\n";
   positive.intensities = "9 1 9 2 9 3\n";
   negative.intensities = "9 3 9 2 9 1\n";
-  expect_same_beam(parse(positive.str()), parse(negative.str()));
+  expect_same_beam(parsed_ies(positive.str()), parsed_ies(negative.str()));
 }
 
 TEST(Ies, AllThreeTypesAreRead) {
@@ -313,7 +312,7 @@ TEST(Ies, WrittenNumbersAreReadBack) {
       written.intensity.push_back(random.log_uniform(1e-3, 1e6));
       ies.intensities += number(written.intensity.back()) + " ";
     }
-    const auto read = parse(ies.str()).distribution;
+    const auto read = parsed_ies(ies.str()).distribution;
     EXPECT_EQ(read.type, written.type);
     EXPECT_EQ(read.intensity, written.intensity);
     for (std::size_t i = 0; i < 19; ++i) EXPECT_DOUBLE_EQ(read.vertical[i], written.vertical[i]);
@@ -378,7 +377,7 @@ TEST(Ies, TiltFileThatIsMissingBadOrElsewhereIsAnError) {
 }
 
 TEST(Ies, BadTiltDataAreAnErrorAtTheirLocation) {
-  const auto error = [](const std::string& tilt) { return error_of(&IesText::tilt, "TILT=INCLUDE\n" + tilt + "\n"); };
+  const auto error = [](const std::string& tilt) { return ies_error(&IesText::tilt, "TILT=INCLUDE\n" + tilt + "\n"); };
   EXPECT_EQ(error("1 2 0 90 1 0.5"), "(accepted)");
   EXPECT_EQ(error("4 2 0 90 1 0.5"), "4:1: lamp to luminaire geometry = 4: must be an integer from 1 to 3");
   EXPECT_EQ(error("1 99999999 0"), "4:3: number of tilt angles = 99999999: must be an integer from 1 to 10000");
@@ -391,129 +390,130 @@ TEST(Ies, BadTiltDataAreAnErrorAtTheirLocation) {
 
 TEST(Ies, BadValueIsAnErrorAtItsLocation) {
   const std::string kFinite = "must be a finite number";
-  EXPECT_EQ(error_of(IesText().str()), "(accepted)");
-  EXPECT_EQ(error_of(&IesText::lamps, "one 1000 1 "), "4:1: number of lamps = one: " + kFinite);
-  EXPECT_EQ(error_of(&IesText::lamps, "1 nan 1 "), "4:3: lumens per lamp = nan: " + kFinite);
-  EXPECT_EQ(error_of(&IesText::lamps, "1 1000 0 "), "4:8: candela multiplier = 0: must be > 0");
-  EXPECT_EQ(error_of(&IesText::lamps, "1 1000 inf "), "4:8: candela multiplier = inf: " + kFinite);
-  EXPECT_EQ(error_of(&IesText::lamps, "1 1000 1e999 "), "4:8: candela multiplier = 1e999: " + kFinite);
-  EXPECT_EQ(error_of(&IesText::type_and_units, "4 2 "), "4:14: photometric type = 4: must be an integer from 1 to 3");
-  EXPECT_EQ(error_of(&IesText::type_and_units, "1 3 "), "4:16: units type = 3: must be an integer from 1 to 2");
-  EXPECT_EQ(error_of(&IesText::dimensions, "0 0 wide\n"), "4:22: height = wide: " + kFinite);
-  EXPECT_EQ(error_of(&IesText::factors, "-1 1 50\n"), "5:1: ballast factor = -1: must be > 0");
-  EXPECT_EQ(error_of(&IesText::factors, "1 x 50\n"), "5:3: field after the ballast factor = x: " + kFinite);
-  EXPECT_EQ(error_of(&IesText::factors, "1 1 W\n"), "5:5: input watts = W: " + kFinite);
-  EXPECT_EQ(error_of(&IesText::intensities, "100 50 0\n90 -40 0\n"), "9:4: intensity 5 of 6 = -40: must be >= 0");
-  EXPECT_EQ(error_of(&IesText::intensities, "100 5O 0\n90 40 0\n"), "8:5: intensity = 5O: " + kFinite);
-  EXPECT_EQ(error_of(&IesText::intensities, "100 1e31 0\n90 40 0\n"),
+  EXPECT_EQ(ies_error(IesText().str()), "(accepted)");
+  EXPECT_EQ(ies_error(&IesText::lamps, "one 1000 1 "), "4:1: number of lamps = one: " + kFinite);
+  EXPECT_EQ(ies_error(&IesText::lamps, "1 nan 1 "), "4:3: lumens per lamp = nan: " + kFinite);
+  EXPECT_EQ(ies_error(&IesText::lamps, "1 1000 0 "), "4:8: candela multiplier = 0: must be > 0");
+  EXPECT_EQ(ies_error(&IesText::lamps, "1 1000 inf "), "4:8: candela multiplier = inf: " + kFinite);
+  EXPECT_EQ(ies_error(&IesText::lamps, "1 1000 1e999 "), "4:8: candela multiplier = 1e999: " + kFinite);
+  EXPECT_EQ(ies_error(&IesText::type_and_units, "4 2 "), "4:14: photometric type = 4: must be an integer from 1 to 3");
+  EXPECT_EQ(ies_error(&IesText::type_and_units, "1 3 "), "4:16: units type = 3: must be an integer from 1 to 2");
+  EXPECT_EQ(ies_error(&IesText::dimensions, "0 0 wide\n"), "4:22: height = wide: " + kFinite);
+  EXPECT_EQ(ies_error(&IesText::factors, "-1 1 50\n"), "5:1: ballast factor = -1: must be > 0");
+  EXPECT_EQ(ies_error(&IesText::factors, "1 x 50\n"), "5:3: field after the ballast factor = x: " + kFinite);
+  EXPECT_EQ(ies_error(&IesText::factors, "1 1 W\n"), "5:5: input watts = W: " + kFinite);
+  EXPECT_EQ(ies_error(&IesText::intensities, "100 50 0\n90 -40 0\n"), "9:4: intensity 5 of 6 = -40: must be >= 0");
+  EXPECT_EQ(ies_error(&IesText::intensities, "100 5O 0\n90 40 0\n"), "8:5: intensity = 5O: " + kFinite);
+  EXPECT_EQ(ies_error(&IesText::intensities, "100 1e31 0\n90 40 0\n"),
             "8:5: intensity 2 of 6 = 1e31: must be at most 1e30 candela, with all factors");
-  EXPECT_EQ(error_of(&IesText::intensities, "0 0 0\n0 0 0\n"),
+  EXPECT_EQ(ies_error(&IesText::intensities, "0 0 0\n0 0 0\n"),
             "9:5: intensity 6 of 6 = 0: must not be 0 as all others are");
-  EXPECT_EQ(error_of(&IesText::intensities, "100 50 0\n90 40 0\n9"),
+  EXPECT_EQ(ies_error(&IesText::intensities, "100 50 0\n90 40 0\n9"),
             "10:1: number after the last intensity = 9: must not be there by the file's counts");
-  EXPECT_EQ(error_of(&IesText::intensities, "100 50 0\n90 40 0\nEND\n"), "(accepted)");
+  EXPECT_EQ(ies_error(&IesText::intensities, "100 50 0\n90 40 0\nEND\n"), "(accepted)");
   IesText old;
   old.label = "IESNA91\n";
   old.factors = "1 0 50\n";
-  EXPECT_EQ(error_of(old.str()), "4:3: ballast-lamp photometric factor = 0: must be > 0");
+  EXPECT_EQ(ies_error(old.str()), "4:3: ballast-lamp photometric factor = 0: must be > 0");
 }
 
 TEST(Ies, BadAngleIsAnErrorAtItsLocation) {
   const std::string kTurn =
       "must be one of planes at 0, from 0 to 90, 180 or 360, from 90 to 270, from -90 to 90, or from -180 to 180";
-  EXPECT_EQ(error_of(&IesText::vertical, "0 45 181\n"), "6:6: vertical angle 3 of 3 = 181: must be in [0, 180]");
-  EXPECT_EQ(error_of(&IesText::vertical, "-1 45 90\n"), "6:1: vertical angle 1 of 3 = -1: must be in [0, 180]");
-  EXPECT_EQ(error_of(&IesText::vertical, "0 45 45\n"),
+  EXPECT_EQ(ies_error(&IesText::vertical, "0 45 181\n"), "6:6: vertical angle 3 of 3 = 181: must be in [0, 180]");
+  EXPECT_EQ(ies_error(&IesText::vertical, "-1 45 90\n"), "6:1: vertical angle 1 of 3 = -1: must be in [0, 180]");
+  EXPECT_EQ(ies_error(&IesText::vertical, "0 45 45\n"),
             "6:6: vertical angle 3 of 3 = 45: must be greater than the one before, 45");
-  EXPECT_EQ(error_of(&IesText::vertical, "0 29 29.000000000000004\n"),  // the same in radians
+  EXPECT_EQ(ies_error(&IesText::vertical, "0 29 29.000000000000004\n"),  // the same in radians
             "6:6: vertical angle 3 of 3 = 29.000000000000004: must be greater than the one before, 29");
-  EXPECT_EQ(error_of(&IesText::horizontal, "90 0\n"),
+  EXPECT_EQ(ies_error(&IesText::horizontal, "90 0\n"),
             "7:4: horizontal angle 2 of 2 = 0: must be greater than the one before, 90");
-  EXPECT_EQ(error_of(&IesText::horizontal, "0 361\n"), "7:3: horizontal angle 2 of 2 = 361: must be in [-180, 360]");
-  EXPECT_EQ(error_of(&IesText::horizontal, "-181 90\n"), "7:1: horizontal angle 1 of 2 = -181: must be in [-180, 360]");
-  EXPECT_EQ(error_of(&IesText::horizontal, "-180 -90\n"), "7:6: last horizontal angle = -90: " + kTurn);
-  EXPECT_EQ(error_of(&IesText::horizontal, "0 45\n"), "7:3: last horizontal angle = 45: " + kTurn);
-  EXPECT_EQ(error_of(&IesText::horizontal, "10 100\n"), "7:4: last horizontal angle = 100: " + kTurn);
+  EXPECT_EQ(ies_error(&IesText::horizontal, "0 361\n"), "7:3: horizontal angle 2 of 2 = 361: must be in [-180, 360]");
+  EXPECT_EQ(ies_error(&IesText::horizontal, "-181 90\n"),
+            "7:1: horizontal angle 1 of 2 = -181: must be in [-180, 360]");
+  EXPECT_EQ(ies_error(&IesText::horizontal, "-180 -90\n"), "7:6: last horizontal angle = -90: " + kTurn);
+  EXPECT_EQ(ies_error(&IesText::horizontal, "0 45\n"), "7:3: last horizontal angle = 45: " + kTurn);
+  EXPECT_EQ(ies_error(&IesText::horizontal, "10 100\n"), "7:4: last horizontal angle = 100: " + kTurn);
   IesText open;
   open.counts = "2 4 ";
   open.vertical = "0 90\n";
   open.intensities = "1 1 1 1 1 1 1 1\n";
   open.horizontal = "0 90 180 270\n";
-  EXPECT_EQ(error_of(open.str()), "(accepted)");
+  EXPECT_EQ(ies_error(open.str()), "(accepted)");
   open.horizontal = "0 80 160 240\n";  // 120 degrees are missing
-  EXPECT_EQ(error_of(open.str()), "7:10: last horizontal angle = 240: " + kTurn);
+  EXPECT_EQ(ies_error(open.str()), "7:10: last horizontal angle = 240: " + kTurn);
   open.horizontal = "-180 0 180 181\n";  // one degree is there twice
-  EXPECT_EQ(error_of(open.str()), "7:12: last horizontal angle = 181: " + kTurn);
+  EXPECT_EQ(ies_error(open.str()), "7:12: last horizontal angle = 181: " + kTurn);
 
   IesText b;
   b.type_and_units = "2 2 ";
-  EXPECT_EQ(error_of(b.str()), "(accepted)");
+  EXPECT_EQ(ies_error(b.str()), "(accepted)");
   b.horizontal = "0 91\n";
-  EXPECT_EQ(error_of(b.str()), "7:3: horizontal angle 2 of 2 = 91: must be in [-90, 90]");
+  EXPECT_EQ(ies_error(b.str()), "7:3: horizontal angle 2 of 2 = 91: must be in [-90, 90]");
   b.horizontal = "0\n";
   b.counts = "3 1 ";
-  EXPECT_EQ(error_of(b.str()), "7:1: horizontal angle = 0: must not be the only one in types A and B");
+  EXPECT_EQ(ies_error(b.str()), "7:1: horizontal angle = 0: must not be the only one in types A and B");
   IesText a;
   a.type_and_units = "3 2 ";
   a.vertical = "-91 0 90\n";
-  EXPECT_EQ(error_of(a.str()), "6:1: vertical angle 1 of 3 = -91: must be in [-90, 90]");
+  EXPECT_EQ(ies_error(a.str()), "6:1: vertical angle 1 of 3 = -91: must be in [-90, 90]");
 }
 
 TEST(Ies, CountBeyondTheFileIsAnError) {
-  EXPECT_EQ(error_of(&IesText::counts, "2147483648 2 "),
+  EXPECT_EQ(ies_error(&IesText::counts, "2147483648 2 "),
             "4:10: number of vertical angles = 2147483648: must be an integer from 2 to 10000");
-  EXPECT_EQ(error_of(&IesText::counts, "3 2147483648 "),
+  EXPECT_EQ(ies_error(&IesText::counts, "3 2147483648 "),
             "4:12: number of horizontal angles = 2147483648: must be an integer from 1 to 10000");
-  EXPECT_EQ(error_of(&IesText::counts, "1 2 "),
+  EXPECT_EQ(ies_error(&IesText::counts, "1 2 "),
             "4:10: number of vertical angles = 1: must be an integer from 2 to 10000");
-  EXPECT_EQ(error_of(&IesText::counts, "-3 2 "),
+  EXPECT_EQ(ies_error(&IesText::counts, "-3 2 "),
             "4:10: number of vertical angles = -3: must be an integer from 2 to 10000");
-  EXPECT_EQ(error_of(&IesText::intensities, "100 50 0\n"),
+  EXPECT_EQ(ies_error(&IesText::intensities, "100 50 0\n"),
             "9:1: intensity 4 of 6: must be given, but the file ends here");  // a plane missing
-  EXPECT_EQ(error_of(&IesText::horizontal, ""),
+  EXPECT_EQ(ies_error(&IesText::horizontal, ""),
             "7:5: horizontal angle 2 of 2 = 50: must be greater than the one before, 100");
 }
 
 TEST(Ies, TextOfAnotherKindIsAnError) {
-  EXPECT_EQ(error_of(""), "1:1: TILT: must be given, but the file ends here");
-  EXPECT_EQ(error_of("IESNA:LM-63-2002\n[TEST] 1\n"), "3:1: TILT: must be given, but the file ends here");
-  EXPECT_EQ(error_of("IESNA:LM-63-2002\n [LUMINAIRE] a Tilt=NONE \n1 1"),
+  EXPECT_EQ(ies_error(""), "1:1: TILT: must be given, but the file ends here");
+  EXPECT_EQ(ies_error("IESNA:LM-63-2002\n[TEST] 1\n"), "3:1: TILT: must be given, but the file ends here");
+  EXPECT_EQ(ies_error("IESNA:LM-63-2002\n [LUMINAIRE] a Tilt=NONE \n1 1"),
             "2:2: line with TILT = [LUMINAIRE] a Tilt=NONE: must begin with TILT=");
-  EXPECT_EQ(error_of("IESNA:LM-63-2002\r\nTILT:NONE\r\n"), "2:1: line with TILT = TILT:NONE: must begin with TILT=");
-  EXPECT_EQ(error_of("IESNA:LM-63-2002\nTILT=NONE"), "2:10: number of lamps: must be given, but the file ends here");
-  EXPECT_EQ(error_of(std::string("TILT=NONE\n\0\0 1", 14)), "2:1: number of lamps = ??: must be a finite number");
+  EXPECT_EQ(ies_error("IESNA:LM-63-2002\r\nTILT:NONE\r\n"), "2:1: line with TILT = TILT:NONE: must begin with TILT=");
+  EXPECT_EQ(ies_error("IESNA:LM-63-2002\nTILT=NONE"), "2:10: number of lamps: must be given, but the file ends here");
+  EXPECT_EQ(ies_error(std::string("TILT=NONE\n\0\0 1", 14)), "2:1: number of lamps = ??: must be a finite number");
 }
 
 TEST(Ies, ColumnsAreCodePointsWithoutTheByteOrderMark) {
   IesText ies;
   ies.label = "";
   ies.tilt = "\xEF\xBB\xBFTILT=NONE\n\xC3\xA4 ";
-  EXPECT_EQ(error_of(ies.str()), "2:1: number of lamps = \xC3\xA4: must be a finite number");
+  EXPECT_EQ(ies_error(ies.str()), "2:1: number of lamps = \xC3\xA4: must be a finite number");
   ies.tilt = "TILT=NONE\n1 \xC3\xA4\xE2\x82\xAC x ";
-  EXPECT_EQ(error_of(ies.str()), "2:3: lumens per lamp = \xC3\xA4\xE2\x82\xAC: must be a finite number");
+  EXPECT_EQ(ies_error(ies.str()), "2:3: lumens per lamp = \xC3\xA4\xE2\x82\xAC: must be a finite number");
   ies.tilt = "TILT=NONE\n1 1\t\xE4 ";
-  EXPECT_EQ(error_of(ies.str()), "2:5: candela multiplier = \xC3\xA4: must be a finite number");
+  EXPECT_EQ(ies_error(ies.str()), "2:5: candela multiplier = \xC3\xA4: must be a finite number");
 }
 
 TEST(Ies, LongValueIsCutInMessages) {
-  EXPECT_EQ(error_of("TILT=NONE\n" + std::string(100, 'x')),
+  EXPECT_EQ(ies_error("TILT=NONE\n" + std::string(100, 'x')),
             "2:1: number of lamps = " + std::string(40, 'x') + "...: must be a finite number");
 }
 
 TEST(Ies, HostileTextTakesLinearTime) {
   const std::size_t kMany = 4'000'000;  // time that grows with the square would not end here
-  EXPECT_EQ(error_of(std::string(kMany, '\r')),
+  EXPECT_EQ(ies_error(std::string(kMany, '\r')),
             std::to_string(kMany + 1) + ":1: TILT: must be given, but the file ends here");
   std::string more = "IESNA91\n[LUMINAIRE] x\n";
   while (more.size() < kMany) more += "[MORE] y\n[A" + std::to_string(more.size()) + "]\n";
-  EXPECT_NE(error_of(more).find("TILT: must be given"), std::string::npos);
-  EXPECT_EQ(error_of("TILT=NONE\n" + std::string(kMany, ',')),
+  EXPECT_NE(ies_error(more).find("TILT: must be given"), std::string::npos);
+  EXPECT_EQ(ies_error("TILT=NONE\n" + std::string(kMany, ',')),
             "2:4000001: number of lamps: must be given, but the file ends here");
-  EXPECT_EQ(error_of("TILT=NONE\n1 1 " + std::string(kMany, '1')),
+  EXPECT_EQ(ies_error("TILT=NONE\n1 1 " + std::string(kMany, '1')),
             "2:5: candela multiplier = " + std::string(40, '1') + "...: must be a finite number");
   std::string zeros = "TILT=NONE\n1 1 1 10000 10000 1 1 0 0 0 1 1 1 ";
   while (zeros.size() < kMany) zeros += "0 ";
-  EXPECT_EQ(error_of(zeros), "2:37: vertical angle 2 of 10000 = 0: must be greater than the one before, 0");
+  EXPECT_EQ(ies_error(zeros), "2:37: vertical angle 2 of 10000 = 0: must be greater than the one before, 0");
 }
 
 TEST(Ies, EveryMutationIsReadOrAnError) {
@@ -533,7 +533,7 @@ class LuminaireFile : public testing::Test {
   Luminaire read(const std::string& name, const std::string& bytes) const {
     return read_luminaire(directory_.write(name, bytes));
   }
-  std::string error_of(const std::string& name, const std::string& bytes) const {
+  std::string ies_error(const std::string& name, const std::string& bytes) const {
     return photometry_error_of([&] { read(name, bytes); });
   }
 
@@ -548,23 +548,23 @@ TEST_F(LuminaireFile, FormatIsKnownByContentThenByEnding) {
   std::string company = bytes_of(ours + "/isym_4.ldt");
   company.replace(0, company.find_first_of("\r\n"), "IESA Leuchten GmbH");
   EXPECT_EQ(read("f.ldt", company).manufacturer, "IESA Leuchten GmbH");
-  EXPECT_EQ(error_of("d.Ies", "x\n"), "2:1: TILT: must be given, but the file ends here");
-  EXPECT_EQ(error_of("e.ldt", "x\n"), "2:1: type indicator Ityp: must be given, but the file ends here");
+  EXPECT_EQ(ies_error("d.Ies", "x\n"), "2:1: TILT: must be given, but the file ends here");
+  EXPECT_EQ(ies_error("e.ldt", "x\n"), "2:1: type indicator Ityp: must be given, but the file ends here");
 }
 
 TEST_F(LuminaireFile, FileOfAnotherKindIsNoPhotometricFile) {
   const std::string rule =
       " not a photometric file: must be of IES LM-63 (with a line TILT=), EULUMDAT, TM-33 or GLDF, or an "
       "isocandela table";
-  EXPECT_EQ(error_of("picture.png", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), rule);
-  EXPECT_EQ(error_of("picture.ies", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), rule);
-  EXPECT_EQ(error_of("page.ldt", "<!DOCTYPE html>\n<html><body>404</body></html>\n"), rule);
-  EXPECT_EQ(error_of("notes.txt", "lamps\nthe first\n"), rule);
+  EXPECT_EQ(ies_error("picture.png", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), rule);
+  EXPECT_EQ(ies_error("picture.ies", std::string("\x89PNG\r\n\x1A\n\0\0\0\rIHDR", 16)), rule);
+  EXPECT_EQ(ies_error("page.ldt", "<!DOCTYPE html>\n<html><body>404</body></html>\n"), rule);
+  EXPECT_EQ(ies_error("notes.txt", "lamps\nthe first\n"), rule);
 }
 
 TEST_F(LuminaireFile, EmptyFileIsToldSo) {
   for (const char* name : {"empty", "empty.ies", "empty.ldt", "empty.csv", "empty.xml"}) {
-    for (const char* text : {"", "\r\n \n"}) EXPECT_EQ(error_of(name, text), " is empty") << name;
+    for (const char* text : {"", "\r\n \n"}) EXPECT_EQ(ies_error(name, text), " is empty") << name;
   }
 }
 

@@ -9,15 +9,14 @@
 #include "litfog/photometry/elliptical_beam.h"
 #include "photometry/memory_limit.h"
 #include "photometry/photometric_file.h"
+#include "reference/degree.h"
 
 namespace litfog::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
-
-Luminaire parse(const std::string& text) { return parse_isocandela(text, "f.csv"); }
-std::string error_of(const std::string& text) {
-  return photometry_error_of([&] { parse(text); });
+Luminaire parsed_isocandela(const std::string& text) { return parse_isocandela(text, "f.csv"); }
+std::string isocandela_error(const std::string& text) {
+  return photometry_error_of([&] { parsed_isocandela(text); });
 }
 
 double candela_at(const Luminaire& light, double horizontal_deg, double vertical_deg) {
@@ -39,25 +38,25 @@ TEST(Isocandela, GridIsReadAsPrinted) {
 }
 
 TEST(Isocandela, RowsMayRiseOrFall) {
-  const Luminaire rising = parse("vertical_deg,-5,0,5\n-2,1,2,3\n0,4,5,6\n3,7,8,9\n");
-  const Luminaire falling = parse("vertical_deg, -5, 0, 5\r\n3, 7, 8, 9\r\n0, 4, 5, 6\r\n\r\n-2, 1, 2, 3");
+  const Luminaire rising = parsed_isocandela("vertical_deg,-5,0,5\n-2,1,2,3\n0,4,5,6\n3,7,8,9\n");
+  const Luminaire falling = parsed_isocandela("vertical_deg, -5, 0, 5\r\n3, 7, 8, 9\r\n0, 4, 5, 6\r\n\r\n-2, 1, 2, 3");
   expect_same_beam(rising, falling);
   EXPECT_EQ(candela_at(rising, 5, 3), 9);
   EXPECT_NEAR(candela_at(rising, -5, -2), 1, 1e-9);
 }
 
 TEST(Isocandela, TablesOfSpreadsheetsAreReadAsThoseByHand) {
-  const Luminaire plain = parse("# lamp, left\nvertical_deg,-2.5,0,5\n-2,1,2.5,3\n0,4,5,6000\n");
+  const Luminaire plain = parsed_isocandela("# lamp, left\nvertical_deg,-2.5,0,5\n-2,1,2.5,3\n0,4,5,6000\n");
   for (const char* text :
        {"# lamp, left;;;\r\nvertical_deg;-2,5;0;5\r\n;;;\r\n-2;1;2,5;3\r\n0;4;5;6000\r\n",
         "\"# lamp, left\",,,\n\"vertical_deg\",\"-2.5\",\"0\",\"5\"\n,,,\n\"-2\",\"1\",\"2.5\",\"3\"\n0,4,5,6000\n",
         "# lamp, left\rvertical_deg;\"-2,5\";0;5\r-2;1;2.5;3\r0;4;5;6000"}) {
-    const Luminaire light = parse(text);
+    const Luminaire light = parsed_isocandela(text);
     expect_same_beam(light, plain);
     EXPECT_EQ(light.name, "lamp, left");
     EXPECT_TRUE(is_isocandela(text));
   }
-  EXPECT_EQ(error_of("vertical_deg;-2,5;0\n0;1;x"), "2:5: candela = x: must be a finite number");
+  EXPECT_EQ(isocandela_error("vertical_deg;-2,5;0\n0;1;x"), "2:5: candela = x: must be a finite number");
   EXPECT_TRUE(is_isocandela("\"candela\";\"horizontal_deg\";\"vertical_deg\"\n"));
 }
 
@@ -66,23 +65,25 @@ TEST(Isocandela, PointsThatMayBeBetweenThousandsAreRefusedUnlessAnotherIsDecimal
       ": must have no point, which may be between thousands; after a decimal point, write more or fewer than three "
       "digits";
   const std::string header = "# left, \nvertical_deg;-2,5;0\n";
-  EXPECT_EQ(error_of(header + "0;1.200;3\n1;2;3\n"), "3:3: candela = 1.200" + rule);
-  EXPECT_EQ(error_of("vertical_deg;-2;0\n0;-12.000;3\n1;2,5;3\n"), "2:3: candela = -12.000" + rule);
-  EXPECT_EQ(error_of("vertical_deg;-2;0\n0;1.200,5;3\n1;2;3\n"), "2:3: candela = 1.200,5" + rule);
+  EXPECT_EQ(isocandela_error(header + "0;1.200;3\n1;2;3\n"), "3:3: candela = 1.200" + rule);
+  EXPECT_EQ(isocandela_error("vertical_deg;-2;0\n0;-12.000;3\n1;2,5;3\n"), "2:3: candela = -12.000" + rule);
+  EXPECT_EQ(isocandela_error("vertical_deg;-2;0\n0;1.200,5;3\n1;2;3\n"), "2:3: candela = 1.200,5" + rule);
   for (const char* decimal : {"1.2", "1.25", "0.125", "1200.125", "1.2000"}) {
-    EXPECT_EQ(parse(header + "0;" + decimal + ";3000\n1;2;3\n").distribution.intensity[0], std::stod(decimal));
+    EXPECT_EQ(parsed_isocandela(header + "0;" + decimal + ";3000\n1;2;3\n").distribution.intensity[0],
+              std::stod(decimal));
   }
-  EXPECT_EQ(error_of(header + "0;0.5;3\n1;1.200;3\n"), "4:3: candela = 1.200" + rule) << "both kinds of decimals";
+  EXPECT_EQ(isocandela_error(header + "0;0.5;3\n1;1.200;3\n"), "4:3: candela = 1.200" + rule)
+      << "both kinds of decimals";
   const std::string plain = "# 2,5 and 0.5\nvertical_deg;-2;0\n";
-  EXPECT_EQ(error_of(plain + "0;1.200;2.500\n1;2;3\n"), "3:3: candela = 1.200" + rule);
-  EXPECT_EQ(error_of(plain + "0;2000;3\n1;2;\"1.200\"\n"), "4:5: candela = 1.200" + rule);
-  EXPECT_EQ(error_of(plain + "0;1.234.567;3\n1;2;3\n"), "3:3: candela = 1.234.567" + rule);
-  EXPECT_EQ(error_of("vertical_deg;-2.500;0\n0;1;2\n1;2;3\n"), "1:14: horizontal angle = -2.500" + rule);
+  EXPECT_EQ(isocandela_error(plain + "0;1.200;2.500\n1;2;3\n"), "3:3: candela = 1.200" + rule);
+  EXPECT_EQ(isocandela_error(plain + "0;2000;3\n1;2;\"1.200\"\n"), "4:5: candela = 1.200" + rule);
+  EXPECT_EQ(isocandela_error(plain + "0;1.234.567;3\n1;2;3\n"), "3:3: candela = 1.234.567" + rule);
+  EXPECT_EQ(isocandela_error("vertical_deg;-2.500;0\n0;1;2\n1;2;3\n"), "1:14: horizontal angle = -2.500" + rule);
   for (const char* decimal : {"0.5", "12.25", "0.125", "\" 1200.125\"", "1.2e3", ".500"}) {
-    EXPECT_EQ(parse(plain + "0;1.200;3\n1;2;" + decimal + "\n").distribution.intensity[0], 1.2) << decimal;
+    EXPECT_EQ(parsed_isocandela(plain + "0;1.200;3\n1;2;" + decimal + "\n").distribution.intensity[0], 1.2) << decimal;
   }
-  EXPECT_EQ(error_of(plain + "0;1.234.567;0.5\n1;2;3\n"), "3:3: candela = 1.234.567: must be a finite number");
-  EXPECT_EQ(parse("vertical_deg,-2,0\n0,1.200,3\n1,2,3\n").distribution.intensity[0], 1.2);
+  EXPECT_EQ(isocandela_error(plain + "0;1.234.567;0.5\n1;2;3\n"), "3:3: candela = 1.234.567: must be a finite number");
+  EXPECT_EQ(parsed_isocandela("vertical_deg,-2,0\n0,1.200,3\n1,2,3\n").distribution.intensity[0], 1.2);
 }
 
 TEST(Isocandela, EllipsesAreReadAsDrawn) {
@@ -110,58 +111,62 @@ TEST(Isocandela, TableIsKnownByItsHeaderOrItsName) {
 
 TEST(Isocandela, WrongTablesAreErrorsAtTheirCells) {
   const std::string header = "must be vertical_deg and the horizontal angles, or candela,horizontal_deg,vertical_deg, ";
-  EXPECT_EQ(error_of("vertical,1,2\n"), "1:1: header = vertical,1,2: " + header + "with commas or semicolons between");
-  EXPECT_EQ(error_of("vertical;1;2\n"), "1:1: header = vertical;1;2: " + header + "with commas or semicolons between");
-  EXPECT_EQ(error_of("vertical_deg\t1\t2\n"),
+  EXPECT_EQ(isocandela_error("vertical,1,2\n"),
+            "1:1: header = vertical,1,2: " + header + "with commas or semicolons between");
+  EXPECT_EQ(isocandela_error("vertical;1;2\n"),
+            "1:1: header = vertical;1;2: " + header + "with commas or semicolons between");
+  EXPECT_EQ(isocandela_error("vertical_deg\t1\t2\n"),
             "1:1: header = vertical_deg\t1\t2: " + header + "with commas or semicolons between");
-  EXPECT_EQ(error_of("range_m,lx\n10,100\n"),
+  EXPECT_EQ(isocandela_error("range_m,lx\n10,100\n"),
             "1:1: header = range_m,lx: " + header +
                 "with commas or semicolons between; a table of illuminance belongs in a light spec, as its range's "
                 "illuminance");
-  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,\"2\n"), "2:5: quote: must be closed on its line");
-  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,\"1,200\"\n"),
+  EXPECT_EQ(isocandela_error("vertical_deg,1,2\n0,1,\"2\n"), "2:5: quote: must be closed on its line");
+  EXPECT_EQ(isocandela_error("vertical_deg,1,2\n0,1,\"1,200\"\n"),
             "2:5: candela = 1,200: must have a decimal point where commas are between cells");
-  EXPECT_EQ(error_of(""), "1:1: header: must be given");
-  EXPECT_EQ(error_of("vertical_deg,1\n"), "1:14: header = 1: must have at least two horizontal angles");
-  EXPECT_EQ(error_of("vertical_deg,1,1\n"), "1:16: horizontal angle = 1: must be greater than the one before");
-  EXPECT_EQ(error_of("vertical_deg,1,181\n"), "1:16: horizontal angle = 181: must be in [-180, 180]");
-  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,1\n"), "3:1: second row of candela: must be given, but the file ends here");
-  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1\n"), "2:3: number of cells = 2: must be 3, as in the header");
-  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,\n"), "2:5: candela: must be given");
-  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,-1\n"), "2:5: candela = -1: must be in [0, 1e30]");
-  EXPECT_EQ(error_of("vertical_deg,1,2\n91,1,1\n"), "2:1: vertical angle = 91: must be in [-90, 90]");
-  EXPECT_EQ(error_of("vertical_deg,1,2\n0,1,1\n5,1,1\n4,1,1\n"),
+  EXPECT_EQ(isocandela_error(""), "1:1: header: must be given");
+  EXPECT_EQ(isocandela_error("vertical_deg,1\n"), "1:14: header = 1: must have at least two horizontal angles");
+  EXPECT_EQ(isocandela_error("vertical_deg,1,1\n"), "1:16: horizontal angle = 1: must be greater than the one before");
+  EXPECT_EQ(isocandela_error("vertical_deg,1,181\n"), "1:16: horizontal angle = 181: must be in [-180, 180]");
+  EXPECT_EQ(isocandela_error("vertical_deg,1,2\n0,1,1\n"),
+            "3:1: second row of candela: must be given, but the file ends here");
+  EXPECT_EQ(isocandela_error("vertical_deg,1,2\n0,1\n"), "2:3: number of cells = 2: must be 3, as in the header");
+  EXPECT_EQ(isocandela_error("vertical_deg,1,2\n0,1,\n"), "2:5: candela: must be given");
+  EXPECT_EQ(isocandela_error("vertical_deg,1,2\n0,1,-1\n"), "2:5: candela = -1: must be in [0, 1e30]");
+  EXPECT_EQ(isocandela_error("vertical_deg,1,2\n91,1,1\n"), "2:1: vertical angle = 91: must be in [-90, 90]");
+  EXPECT_EQ(isocandela_error("vertical_deg,1,2\n0,1,1\n5,1,1\n4,1,1\n"),
             "4:1: vertical angle = 4: must rise from row to row, or fall from row to row");
-  EXPECT_EQ(error_of("vertical_deg,1,2\n0,0,0\n5,0,0\n"), "3:5: candela = 0: must not be 0 as all others are");
+  EXPECT_EQ(isocandela_error("vertical_deg,1,2\n0,0,0\n5,0,0\n"), "3:5: candela = 0: must not be 0 as all others are");
   const std::string ellipses = "candela,horizontal_deg,vertical_deg\n";
-  EXPECT_EQ(error_of(ellipses), "2:1: row of an ellipse: must be given, but the file ends here");
-  EXPECT_EQ(error_of(ellipses + "100,5,x\n"), "2:7: vertical half axis = x: must be a finite number");
-  EXPECT_EQ(error_of(ellipses + "0,5,5\n"), "2:1: candela = 0: must be > 0");
-  EXPECT_EQ(error_of(ellipses + "100,5,181\n"), "2:7: vertical half axis = 181: must be in [1e-4, 180]");
-  EXPECT_EQ(error_of(ellipses + "100,5,5\n90,6,5\n"),
+  EXPECT_EQ(isocandela_error(ellipses), "2:1: row of an ellipse: must be given, but the file ends here");
+  EXPECT_EQ(isocandela_error(ellipses + "100,5,x\n"), "2:7: vertical half axis = x: must be a finite number");
+  EXPECT_EQ(isocandela_error(ellipses + "0,5,5\n"), "2:1: candela = 0: must be > 0");
+  EXPECT_EQ(isocandela_error(ellipses + "100,5,181\n"), "2:7: vertical half axis = 181: must be in [1e-4, 180]");
+  EXPECT_EQ(isocandela_error(ellipses + "100,5,5\n90,6,5\n"),
             "3:6: vertical half axis = 5: must be greater than in the row before");
-  EXPECT_EQ(error_of(ellipses + "100,5,5\n101,6,6\n"), "3:1: candela = 101: must be at most that of the row before");
-  EXPECT_EQ(error_of("vertical_deg" + std::string(1000, ',')), "1:1013: cell: must be given");
+  EXPECT_EQ(isocandela_error(ellipses + "100,5,5\n101,6,6\n"),
+            "3:1: candela = 101: must be at most that of the row before");
+  EXPECT_EQ(isocandela_error("vertical_deg" + std::string(1000, ',')), "1:1013: cell: must be given");
 }
 
 #ifndef LITFOG_SANITIZED  // sanitizers' own memory would count
 TEST(Isocandela, LineOfCommasTakesNoMemoryByTheirNumber) {
   const std::string text = "vertical_deg" + std::string(std::size_t{8} << 20, ',');
   const MemoryLimit limit(std::size_t{64} << 20);
-  EXPECT_EQ(error_of(text), "1:1: record: must not have more than 65,536 fields");
+  EXPECT_EQ(isocandela_error(text), "1:1: record: must not have more than 65,536 fields");
 }
 #endif
 
 TEST(Isocandela, DamagedTablesAreReadOrAreErrors) {
   for (const char* name : {"position_light_left.csv", "approach_side_row.csv"}) {
     const std::string text = bytes_of(std::string(LITFOG_PHOTOMETRY_DIR) + "/" + name);
-    expect_mutations_read_or_fail(text, 2000, 14, parse);
+    expect_mutations_read_or_fail(text, 2000, 14, parsed_isocandela);
   }
 }
 
 TEST(Isocandela, HostileTextTakesLinearTime) {
   const std::size_t kMany = 4'000'000;  // time that grows with the square would not end here
-  EXPECT_EQ(error_of("vertical_deg;0;5\n0;" + std::string(kMany, ';') + "1.200\n"),
+  EXPECT_EQ(isocandela_error("vertical_deg;0;5\n0;" + std::string(kMany, ';') + "1.200\n"),
             "2:1: record: must not have more than 65,536 fields");
 }
 

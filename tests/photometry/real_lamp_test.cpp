@@ -6,18 +6,17 @@
 
 #include <cmath>
 #include <cstdio>
-#include <numbers>
 #include <string>
 
 #include "litfog/photometry/axial_beam.h"
 #include "litfog/photometry/eulumdat.h"
 #include "litfog/photometry/ies.h"
 #include "photometry/photometric_file.h"
+#include "reference/degree.h"
 
 namespace litfog::test {
 namespace {
 
-constexpr double kDegree = std::numbers::pi / 180;
 constexpr const char* kFiles[] = {"landing_lamp.ies", "approach_light.ies", "position_light.ies",
                                   "runway_edge_light.ldt"};
 

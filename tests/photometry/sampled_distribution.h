@@ -5,17 +5,15 @@
 #include <cmath>
 #include <functional>
 #include <glm/vec3.hpp>
-#include <numbers>
 #include <vector>
 
 #include "litfog/photometry/intensity_distribution.h"
+#include "reference/degree.h"
 #include "reference/random_light.h"
 
 namespace litfog::test {
 
 using Angles = std::vector<double>;
-
-inline constexpr double kDegree = std::numbers::pi / 180;
 
 inline Angles degrees(double first, double last, double step) {
   Angles angles;

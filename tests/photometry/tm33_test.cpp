@@ -34,18 +34,18 @@ struct Tm33Text {
   }
 };
 
-Luminaire parse(const std::string& text) { return parse_tm33(text, "lamp.xml"); }
-std::string error_of(const std::string& text) {
-  return photometry_error_of([&] { parse(text); });
+Luminaire parsed_tm33(const std::string& text) { return parse_tm33(text, "lamp.xml"); }
+std::string tm33_error(const std::string& text) {
+  return photometry_error_of([&] { parsed_tm33(text); });
 }
-std::string error_of(std::string Tm33Text::*part, const std::string& text) {
+std::string tm33_error(std::string Tm33Text::*part, const std::string& text) {
   Tm33Text tm33;
   tm33.*part = text;
-  return error_of(tm33.str());
+  return tm33_error(tm33.str());
 }
 
 TEST(Tm33, IntensitiesAreThoseOfTheirAnglesTimesTheMultiplier) {
-  const Luminaire luminaire = parse(Tm33Text().str());
+  const Luminaire luminaire = parsed_tm33(Tm33Text().str());
   EXPECT_EQ(luminaire.name, "Spot & flood");
   EXPECT_EQ(luminaire.manufacturer, "litfog");
   EXPECT_EQ(luminaire.lamp_flux, 1000);
@@ -62,7 +62,7 @@ TEST(Tm33, OnlyOpeningIsReadInMetres) {
     Tm33Text tm33;
     tm33.header += "<Luminaire><Dimensions><Length>900</Length><Width>900</Width><Height>9</Height></Dimensions>" +
                    luminaire + "</Luminaire>\n";
-    return opening_radius(parse(tm33.str()).opening);
+    return opening_radius(parsed_tm33(tm33.str()).opening);
   };
   const std::string disc = "<LuminousOpening><Shape>round</Shape><Diameter>200</Diameter></LuminousOpening>";
   EXPECT_DOUBLE_EQ(radius_of(disc), 0.1);
@@ -80,12 +80,12 @@ TEST(Tm33, RemarksMayStandBesideTheElementOfTheIntensities) {
     std::string text = tm33.str();
     return text.insert(text.find("<LuminousIntensity>"), remarks);
   };
-  const Luminaire luminaire = parse(with(
+  const Luminaire luminaire = parsed_tm33(with(
       "<PhotometryType>TypeB</PhotometryType><Multiplier>3</Multiplier><AbsolutePhotometry>true</AbsolutePhotometry>"));
   EXPECT_EQ(luminaire.distribution.type, PhotometryType::b);
   EXPECT_EQ(luminaire.distribution.intensity.front(), 300);
   EXPECT_TRUE(luminaire.is_absolute);
-  EXPECT_EQ(error_of(with("<Metric>Radiant</Metric>")), "6:23: Metric = Radiant: must be Luminous");
+  EXPECT_EQ(tm33_error(with("<Metric>Radiant</Metric>")), "6:23: Metric = Radiant: must be Luminous");
 }
 
 TEST(Tm33, BothSpellingsOfItsElementsAreRead) {
@@ -100,14 +100,14 @@ TEST(Tm33, BothSpellingsOfItsElementsAreRead) {
       other.replace(at, from.size(), to);
     }
   }
-  expect_same_beam(parse(other), parse(Tm33Text().str()));
+  expect_same_beam(parsed_tm33(other), parsed_tm33(Tm33Text().str()));
 }
 
 TEST(Tm33, RatingsThatCannotBeAreNotStated) {
   const auto flux_of = [](const std::string& lamps, const std::string& lumens) {
     Tm33Text tm33;
     tm33.emitter = "<Quantity>" + lamps + "</Quantity><RatedLumens>" + lumens + "</RatedLumens>";
-    const Luminaire luminaire = parse(tm33.str());
+    const Luminaire luminaire = parsed_tm33(tm33.str());
     EXPECT_EQ(luminaire.distribution.intensity, (std::vector<double>{200, 20, 200, 40})) << lamps << " " << lumens;
     return luminaire.lamp_flux;
   };
@@ -128,9 +128,9 @@ TEST(Tm33, ElementsMayHaveThePrefixOfANamespace) {
   }
   ASSERT_NE(prefixed.find("</tm:IntData>"), prefixed.npos);
   EXPECT_TRUE(is_tm33(prefixed));
-  expect_same_beam(parse(prefixed), parse(plain));
-  EXPECT_EQ(parse(prefixed).name, "Spot & flood");
-  EXPECT_EQ(parse(prefixed).lamp_flux, 1000);
+  expect_same_beam(parsed_tm33(prefixed), parsed_tm33(plain));
+  EXPECT_EQ(parsed_tm33(prefixed).name, "Spot & flood");
+  EXPECT_EQ(parsed_tm33(prefixed).lamp_flux, 1000);
   EXPECT_FALSE(is_tm33("<IESTM33-22:html/>"));
 }
 
@@ -139,7 +139,7 @@ TEST(Tm33, IntensitiesMayStandInAnIntensityDistribution) {
   for (auto at = text.find("LuminousIntensity"); at != text.npos; at = text.find("LuminousIntensity")) {
     text.replace(at, std::string("LuminousIntensity").size(), "IntensityDistribution");
   }
-  expect_same_beam(parse(text), parse(Tm33Text().str()));
+  expect_same_beam(parsed_tm33(text), parsed_tm33(Tm33Text().str()));
 }
 
 TEST(Tm33, TypesAAndBAreRead) {
@@ -147,7 +147,7 @@ TEST(Tm33, TypesAAndBAreRead) {
     Tm33Text tm33;
     tm33.data =
         std::string("<PhotometryType>") + text + "</PhotometryType><AbsolutePhotometry>true</AbsolutePhotometry>";
-    const Luminaire luminaire = parse(tm33.str());
+    const Luminaire luminaire = parsed_tm33(tm33.str());
     EXPECT_EQ(luminaire.distribution.type, type);
     EXPECT_TRUE(luminaire.is_absolute);
   }
@@ -157,7 +157,7 @@ TEST(Tm33, EveryRootIsRead) {
   for (const char* root : {"IESTM33-18", "IESTM33-22", "ATLA_S001_A", "LuminaireOpticalData"}) {
     Tm33Text tm33;
     tm33.root = root;
-    expect_same_beam(parse(tm33.str()), parse(Tm33Text().str()));
+    expect_same_beam(parsed_tm33(tm33.str()), parsed_tm33(Tm33Text().str()));
   }
 }
 
@@ -176,30 +176,31 @@ TEST(Tm33, FileIsKnownByItsRoot) {
 }
 
 TEST(Tm33, BadFileIsAnErrorAtItsLocation) {
-  EXPECT_EQ(error_of(Tm33Text().str()), "(accepted)");
-  EXPECT_EQ(error_of(&Tm33Text::root, "html"),
+  EXPECT_EQ(tm33_error(Tm33Text().str()), "(accepted)");
+  EXPECT_EQ(tm33_error(&Tm33Text::root, "html"),
             "3:1: element = html: must be IESTM33-18, IESTM33-22, ATLA_S001_A or LuminaireOpticalData");
-  EXPECT_EQ(error_of(&Tm33Text::header, "<Header>\n"), "12:48: XML: must be well-formed: Start-end tags mismatch");
-  EXPECT_EQ(error_of("<IESTM33-22><Emitter/></IESTM33-22>"),
+  EXPECT_EQ(tm33_error(&Tm33Text::header, "<Header>\n"), "12:48: XML: must be well-formed: Start-end tags mismatch");
+  EXPECT_EQ(tm33_error("<IESTM33-22><Emitter/></IESTM33-22>"),
             "1:1: element = IESTM33-22: must have an Emitter with LuminousData");
-  EXPECT_EQ(error_of(&Tm33Text::header, "<Emitter><LuminousData/></Emitter>"),
+  EXPECT_EQ(tm33_error(&Tm33Text::header, "<Emitter><LuminousData/></Emitter>"),
             "4:35: element = Emitter: must be the only one with LuminousData");
-  EXPECT_EQ(error_of(&Tm33Text::data, "<Multiplier>x</Multiplier>"), "7:13: Multiplier = x: must be a finite number");
-  EXPECT_EQ(error_of(&Tm33Text::data, "<Metric>Radiant</Metric>"), "7:9: Metric = Radiant: must be Luminous");
-  EXPECT_EQ(error_of(&Tm33Text::data, "<PhotometryType>D</PhotometryType>"),
+  EXPECT_EQ(tm33_error(&Tm33Text::data, "<Multiplier>x</Multiplier>"), "7:13: Multiplier = x: must be a finite number");
+  EXPECT_EQ(tm33_error(&Tm33Text::data, "<Metric>Radiant</Metric>"), "7:9: Metric = Radiant: must be Luminous");
+  EXPECT_EQ(tm33_error(&Tm33Text::data, "<PhotometryType>D</PhotometryType>"),
             "7:17: PhotometryType = D: must be type A, B or C");
-  EXPECT_EQ(error_of(&Tm33Text::intensities, ""), "6:15: element = LuminousIntensity: must have IntData");
-  EXPECT_EQ(error_of(Tm33Text().str() + std::string(16'777'216, ' ')), " XML: must not be larger than 16777216 bytes");
+  EXPECT_EQ(tm33_error(&Tm33Text::intensities, ""), "6:15: element = LuminousIntensity: must have IntData");
+  EXPECT_EQ(tm33_error(Tm33Text().str() + std::string(16'777'216, ' ')),
+            " XML: must not be larger than 16777216 bytes");
 }
 
 TEST(Tm33, XmlHasOneRootAndEachAttributeOnce) {
   const std::string rule = "XML: must be well-formed: ", lamp = Tm33Text().str();
-  EXPECT_EQ(error_of("<!-- none -->"), "1:14: " + rule + "No document element found");
-  EXPECT_EQ(error_of(" lamp " + lamp), "1:2: " + rule + "Text or an element beside the root");
-  EXPECT_EQ(error_of(lamp + "lamp"), "13:1: " + rule + "Text or an element beside the root");
-  EXPECT_EQ(error_of(lamp + "<Emitter/>"), "13:1: " + rule + "Text or an element beside the root");
-  EXPECT_EQ(error_of("<!-- a -->" + lamp + "<!-- b -->\n"), "(accepted)");
-  EXPECT_EQ(error_of(&Tm33Text::intensities, "<IntData h=\"0\" v=\"0\" v=\"9\">9</IntData>"),
+  EXPECT_EQ(tm33_error("<!-- none -->"), "1:14: " + rule + "No document element found");
+  EXPECT_EQ(tm33_error(" lamp " + lamp), "1:2: " + rule + "Text or an element beside the root");
+  EXPECT_EQ(tm33_error(lamp + "lamp"), "13:1: " + rule + "Text or an element beside the root");
+  EXPECT_EQ(tm33_error(lamp + "<Emitter/>"), "13:1: " + rule + "Text or an element beside the root");
+  EXPECT_EQ(tm33_error("<!-- a -->" + lamp + "<!-- b -->\n"), "(accepted)");
+  EXPECT_EQ(tm33_error(&Tm33Text::intensities, "<IntData h=\"0\" v=\"0\" v=\"9\">9</IntData>"),
             "8:1: element = IntData: must have one attribute v");
 }
 
@@ -210,20 +211,20 @@ TEST(Tm33, TextGoesOnAfterACommentAndEndsAtAnElement) {
     tm33.intensities = "<IntData h=\"0\" v=\"0\">" + text + "</IntData><IntData h=\"0\" v=\"90\">1</IntData>";
     return tm33.str();
   };
-  EXPECT_EQ(parse(intensity("12<!-- of 15 -->34")).distribution.intensity.front(), 1234);
-  EXPECT_EQ(parse(intensity("12<![CDATA[34]]>")).distribution.intensity.front(), 1234);
-  EXPECT_EQ(error_of(intensity("12<b/>34")), "7:22: intensity = 12 34: must be a finite number");
+  EXPECT_EQ(parsed_tm33(intensity("12<!-- of 15 -->34")).distribution.intensity.front(), 1234);
+  EXPECT_EQ(parsed_tm33(intensity("12<![CDATA[34]]>")).distribution.intensity.front(), 1234);
+  EXPECT_EQ(tm33_error(intensity("12<b/>34")), "7:22: intensity = 12 34: must be a finite number");
 }
 
 TEST(Tm33, LocationOfTextThatEndsWithinACharacterIsThatCharacters) {
   const std::string rule = "XML: must be well-formed: ";
-  EXPECT_TRUE(error_of("<IESTM33-22><Header>caf\xC3\xA9").starts_with("1:24: " + rule));
-  EXPECT_TRUE(error_of("<IESTM33-22>\n<Header>\xE2\x82\xAC\xE2\x82\xAC").starts_with("2:10: " + rule));
-  EXPECT_TRUE(error_of("<IESTM33-22>\n<Header>\xF0\x9F\x92\xA1").starts_with("2:9: " + rule));
+  EXPECT_TRUE(tm33_error("<IESTM33-22><Header>caf\xC3\xA9").starts_with("1:24: " + rule));
+  EXPECT_TRUE(tm33_error("<IESTM33-22>\n<Header>\xE2\x82\xAC\xE2\x82\xAC").starts_with("2:10: " + rule));
+  EXPECT_TRUE(tm33_error("<IESTM33-22>\n<Header>\xF0\x9F\x92\xA1").starts_with("2:9: " + rule));
 }
 
 TEST(Tm33, BadIntensitiesAreAnErrorAtTheirLocation) {
-  const auto error = [](const std::string& text) { return error_of(&Tm33Text::intensities, text); };
+  const auto error = [](const std::string& text) { return tm33_error(&Tm33Text::intensities, text); };
   const std::string nadir = "<IntData h=\"0\" v=\"0\">9</IntData>";
   EXPECT_EQ(error(nadir + "<IntData h=\"0\" v=\"90\">1</IntData>"), "(accepted)");
   EXPECT_EQ(error(nadir + "<IntData h=\"0\" v=\"181\">1</IntData>"), "8:33: v = 181: must be in [0, 180]");
@@ -251,7 +252,7 @@ TEST(Tm33, EveryMutationIsReadOrAnError) {
   Tm33Text accented;
   accented.header = "<Header><Manufacturer>L\xC3\xA4mpe \xE2\x82\xAC</Manufacturer></Header>\n";
   for (const std::string& text : {Tm33Text().str(), accented.str()}) {
-    expect_mutations_read_or_fail(text, 4000, 5, parse);
+    expect_mutations_read_or_fail(text, 4000, 5, parsed_tm33);
   }
 }
 

@@ -11,6 +11,7 @@
 #include <span>
 #include <string>
 
+#include "reference/degree.h"
 #include "reference/random_airlight.h"
 
 // A climbing search for the largest error of the airlight: random rays find what is common, a climb finds what is rare.
@@ -53,7 +54,6 @@ using ClimbPoint = std::array<double, 25>;
 /// along any slope. A layer has the density of those visibilities, its edges are up to 30 fog scales away or within one
 /// of the lamp's height, its transition band takes 0 to 10, and around it is clear air or 0.001 to 1 times its fog.
 inline AirlightCase case_at(const ClimbPoint& point, const ClimbKind& kind) {
-  constexpr double kDegree = std::numbers::pi / 180;
   const auto between = [](double part, double low, double high) { return low * std::pow(high / low, part); };
   /// The first part of [0, 1] stands for one value, the rest for a range of values.
   const auto one_or = [&](double x, double part, double value, double low, double high) {

@@ -12,6 +12,7 @@
 
 #include "litfog/airlight.h"
 #include "litfog/density_profile.h"
+#include "reference/degree.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 
@@ -49,8 +50,8 @@ inline std::string to_string(const AirlightCase& c) {
     all += text;
   }
   if (c.atmosphere.profile.count == 0) return all;
-  std::snprintf(text, sizeof text, "; heights of eye %.17g, lamp %.17g, rise %.17g", c.ray.origin.y,
-                c.light.position.y, c.ray.direction.y);
+  std::snprintf(text, sizeof text, "; heights of eye %.17g, lamp %.17g, rise %.17g", c.ray.origin.y, c.light.position.y,
+                c.ray.direction.y);
   return all + text;
 }
 
@@ -216,7 +217,6 @@ inline AirlightCase draw_region_airlight_case(Random& random, const LampRegion& 
 
 /// Turns the lamp of a case into a spot of 0.1 to 180 degrees. Two thirds of such spots light some of the ray.
 inline void turn_into_spot(Random& random, AirlightCase& c) {
-  constexpr double kDegree = std::numbers::pi / 180;
   Cone& cone = c.light.light.cone;
   if (random.chance(0.5)) {
     const double exponent = random.chance(0.125) ? 0 : random.log_uniform(0.5, 2000);
@@ -251,7 +251,6 @@ inline AirlightCase draw_spot_airlight_case(Random& random, FogMode mode, LampLe
 /// itself, exactly or except for a few ulp; cones of 45, 60, 90 and 180 degrees and others, in radians of doubles or of
 /// floats; rays along an axis of the world, of the lamp, across it or anywhere.
 inline AirlightCase draw_coincident_airlight_case(Random& random, FogMode mode, LampLeg lamp_leg) {
-  constexpr double kDegree = std::numbers::pi / 180;
   constexpr std::array kAngles{5., 20., 30., 45., 60., 90., 120., 135., 180.};
   constexpr std::array kWorldAxes{glm::dvec3(1, 0, 0), glm::dvec3(0, -1, 0), glm::dvec3(0, 0, 1)};
   AirlightCase c;
