@@ -98,7 +98,7 @@ TEST_F(SkippingTest, NoPixelOfAnySceneChangesByAStepInAnyFog) {
     const Scene scene = read_scene(bundled_scene_path(name));
     const bool is_large = scene.lights.size() > 100;  // every pixel of the whole picture is lit by all of them
     for (const FogLighting lighting : {FogLighting::airlight, FogLighting::peak}) {
-      Pair pair(scene, lit_by(lighting), is_large ? 24 : kWidth, is_large ? 14 : kHeight);
+      Pair pair(scene, lit_by(lighting), is_large ? 16 : kWidth, is_large ? 9 : kHeight);
       for (const auto& [mode, visibility] : {Weather{FogMode::exp, kClear},
                                              {FogMode::exp2, 400},
                                              {FogMode::exp, 120},
