@@ -73,11 +73,13 @@ constexpr double kReferenceTolerance = 1e-8;
 /// A number of held samples gets a descent of its own when it has more open boxes than this: it costs as much.
 constexpr std::size_t kPatience = 8;
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Above all D and coefficients of a minimum: a sample or the end holds each of its terms at 1e100 or less, and other
+/// ranges are at most 1e60 times as far (attenuation_fit.cpp). Infinities would be NaN at the lamp, where x = 0.
+constexpr double kMost = 1e300;
 
 struct Interval {
   double low = 0;
-  double high = kInfinity;
+  double high = kMost;
 
   Interval with(double x) const { return {std::min(low, x), std::max(high, x)}; }
 };
@@ -240,7 +242,7 @@ class HeldSearch {
     for (std::size_t i = 0; i < terms_.size(); ++i) {
       Term& term = terms_[i];
       const double reach = falloff_.loss.residual(spare / term.weight);
-      term.d = {term.y == 0 ? 0 : std::max(1.0, std::exp(term.y - reach)), std::exp(term.y + reach)};
+      term.d = {term.y == 0 ? 0 : std::max(1.0, std::exp(term.y - reach)), std::min(std::exp(term.y + reach), kMost)};
       if (is_held(i)) term.d = {0, 1};
       term.d.low *= 1 - kRounding;
       term.d.high *= 1 + kRounding;
@@ -489,7 +491,7 @@ class HeldSearch {
         scaled += 100 * scaled.cwiseAbs().maxCoeff() / across.squaredNorm() * across * across.transpose();
       }
     }
-    if (!scaled.allFinite()) return -kInfinity;
+    if (!scaled.allFinite()) return -std::numeric_limits<double>::infinity();
     const double smallest = Eigen::SelfAdjointEigenSolver<Matrix>(scaled, Eigen::EigenvaluesOnly).eigenvalues()[0] -
                             1e-15 * scaled.cwiseAbs().maxCoeff();
     return 1.5 * std::min(0.0, smallest);  // half, times the squared length of at most 3

@@ -205,6 +205,26 @@ TEST(AttenuationFit, SamplesAnyNumberOfExtentsAwayHaveTheirBestFit) {
   EXPECT_GT(optimal, scaled_count(100));
 }
 
+// A light of one intensity at all ranges meets the lamp's sample. A start without a constant misses that by 1e100.
+TEST(AttenuationFit, DarkSampleAtTheLampIsMetWhateverItsWeight) {
+  Random random(15);
+  int optimal = 0;
+  for (int i = 0; i < scaled_count(300); ++i) {
+    const double dark = random.log_uniform(1e-100, 1e-2);
+    AttenuationTarget target{.samples = {{0, dark, random.log_uniform(1, 1e21)}}, .is_robust = random.chance(0.3)};
+    double range = random.log_uniform(1e-3, 1e3);
+    for (int k = int(random.uniform(1, 4)); k > 0; --k, range *= random.uniform(1.01, 3)) {
+      target.samples.push_back({range, random.uniform(0.5, 1), random.log_uniform(1e-6, 1)});
+    }
+    const AttenuationFit fit = fit_attenuation(target);
+    if (fit.status != AttenuationFitStatus::optimal) continue;
+    ++optimal;
+    const FalloffReferenceSearch search(target, fit.loss_scale);
+    EXPECT_GE(search.least_on_grid(), fit.objective * (1 - 1e-7)) << describe(target);
+  }
+  EXPECT_GT(optimal, scaled_count(200));
+}
+
 TEST(AttenuationFit, EveryExtentIsMetExactly) {
   Random random(7);
   WorstError error("extent", "1e-29..1e29 m, t 1e-6..1 - 1e-15", 1e-12, "relative");

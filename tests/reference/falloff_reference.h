@@ -70,7 +70,9 @@ class FalloffReferenceSearch {
   }
 
   /// The least objective of attenuations with the target's extent, on a grid of constants and of linear terms' shares.
+  /// Without an extent, of those that meet one sample by one term.
   double least_on_grid() const {
+    if (!target_.extent) return least_of_one_term();
     const double extent = *target_.extent, top = 1 / target_.threshold, largest = (1 - 0x1p-20) * top;
     double least = std::numeric_limits<double>::infinity();
     for (int i = 0; i <= (target_.constant ? 0 : 200); ++i) {  // evenly, then ever nearer to the largest
@@ -117,6 +119,19 @@ class FalloffReferenceSearch {
   }
 
  private:
+  double least_of_one_term() const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [range, attenuation, weight] : target_.samples) {
+      for (std::size_t j = target_.constant ? 1 : 0; j < 3; ++j) {
+        std::array q{target_.constant.value_or(0), 0.0, 0.0};
+        const double power = std::pow(range, double(j));
+        if (power > 0) q[j] = std::max(0.0, 1 / attenuation - q[0]) / power;
+        least = std::min(least, objective(q));
+      }
+    }
+    return least;
+  }
+
   template <typename Real>
   static Real power(const Real& x, std::size_t j) {
     return j == 0 ? Real(1) : j == 1 ? x : Real(x * x);
