@@ -100,7 +100,10 @@ std::string GldfArchive::read(const std::string& entry) const {
   const InputError broken({.file = name}, "file", "",
                           "must be readable: its data are broken, or packed in another way");
   if (unzGoToFilePos64(archive.get(), &found->position) != UNZ_OK) throw broken;
-  if (unzOpenCurrentFile(archive.get()) != UNZ_OK) throw broken;
+  constexpr int kStored = 0;
+  int method, level;
+  if (unzOpenCurrentFile2(archive.get(), &method, &level, 0) != UNZ_OK) throw broken;
+  if (method != kStored && method != Z_DEFLATED) throw broken;  // minizip would give bzip2 as it is
   std::string bytes;
   std::array<char, 65536> buffer;
   int count;

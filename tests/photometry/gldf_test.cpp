@@ -201,6 +201,15 @@ TEST_F(Gldf, BrokenArchiveIsAnError) {
   }
 }
 
+TEST_F(Gldf, FileThatIsPackedInAnotherWayIsAnError) {
+  write({{"product.xml", "<Root/>"}});
+  std::string bytes = bytes_of(path());
+  constexpr char kBzip2 = 12;
+  bytes[8] = bytes[bytes.find("PK\1\2") + 10] = kBzip2;
+  std::ofstream(path(), std::ios::binary) << bytes;
+  EXPECT_EQ(error_of(), " file: must be readable: its data are broken, or packed in another way");
+}
+
 #ifndef LITFOG_SANITIZED  // sanitizers' own memory would count
 TEST_F(Gldf, ZipBombIsAnErrorBeforeItIsUnpacked) {
   write({{"product.xml", std::string(std::size_t{96} << 20, ' ')}});  // 96 kilobytes when packed
