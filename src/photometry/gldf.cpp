@@ -79,6 +79,8 @@ GldfArchive::GldfArchive(std::string path) : path_(std::move(path)) {
     if (info.size_filename > name.size()) continue;
     entry.packed_bytes = info.compressed_size;
     entry.bytes = info.uncompressed_size;
+    constexpr unsigned kStored = 0;
+    entry.is_known = info.compression_method == kStored || info.compression_method == Z_DEFLATED;
     entries_.emplace(with_slashes({name.data(), info.size_filename}), entry);
   }
 }
@@ -100,10 +102,8 @@ std::string GldfArchive::read(const std::string& entry) const {
   const InputError broken({.file = name}, "file", "",
                           "must be readable: its data are broken, or packed in another way");
   if (unzGoToFilePos64(archive.get(), &found->position) != UNZ_OK) throw broken;
-  constexpr int kStored = 0;
-  int method, level;
-  if (unzOpenCurrentFile2(archive.get(), &method, &level, 0) != UNZ_OK) throw broken;
-  if (method != kStored && method != Z_DEFLATED) throw broken;  // minizip would give bzip2 as it is
+  if (!found->is_known) throw broken;
+  if (unzOpenCurrentFile(archive.get()) != UNZ_OK) throw broken;
   std::string bytes;
   std::array<char, 65536> buffer;
   int count;

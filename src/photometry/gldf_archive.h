@@ -36,6 +36,7 @@ class GldfArchive {
   struct Entry {
     unz64_file_pos position;  // in the directory
     std::uint64_t packed_bytes, bytes;
+    bool is_known;  // stored or deflated; minizip would give what bzip2 packed as it is
   };
 
   const Entry* find(const std::string& entry) const;
