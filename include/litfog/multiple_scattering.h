@@ -176,7 +176,7 @@ inline double multiple_scattering(const PlacedLight& light, const Atmosphere& at
 /// Light that comes from many directions, of one lamp or of several: the lights of lamps add up.
 struct DiffuseLight {
   double all = 0;        ///< the integral of the radiance over all directions
-  glm::dvec3 flow{0.0};  ///< that of the radiance times the direction in which it travels; no longer than `all`
+  glm::dvec3 flow{0.0};  ///< that of the radiance times the direction in which it travels
 
   DiffuseLight& operator+=(const DiffuseLight& other) { return all += other.all, flow += other.flow, *this; }
   friend DiffuseLight operator*(double scale, const DiffuseLight& light) {
@@ -194,6 +194,7 @@ std::optional<ValueError> find_error(const DiffuseLight& light);
 ///
 /// source     the light's, with its beam, also of a point lamp: scattering_source() with ThinBeams
 /// positions  of the places, metres
+/// scattered  the flow is no longer than `all`, but for rounding                         (multiple_scattering_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule, before any result is written
 void scattered_light(const PlacedLight& light, const ScatteringSource& source, const Atmosphere& atmosphere,
                      std::span<const glm::dvec3> positions, std::span<DiffuseLight> scattered);

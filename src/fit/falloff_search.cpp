@@ -73,8 +73,8 @@ constexpr double kReferenceTolerance = 1e-8;
 /// A number of held samples gets a descent of its own when it has more open boxes than this: it costs as much.
 constexpr std::size_t kPatience = 8;
 
-/// Above all D and coefficients of a minimum: a sample or the end holds each of its terms at 1e100 or less, and other
-/// ranges are at most 1e60 times as far (attenuation_fit.cpp). Infinities would be NaN at the lamp, where x = 0.
+/// Above each D and each coefficient of a minimum: a sample or the end holds each term at 1e100 or less, and no other
+/// range is more than 1e60 times as far (attenuation_fit.cpp). Infinity would not do: at x = 0 its product is NaN.
 constexpr double kMost = 1e300;
 
 struct Interval {

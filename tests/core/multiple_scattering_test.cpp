@@ -235,7 +235,8 @@ TEST(ScatteredLight, NoneIsLost) {
   }
 }
 
-// Of narrow beams in fog that scatters forwards, all light flows one way. The two are made soft by different ranges.
+// In fog that scatters forwards, almost all light of a narrow beam flows one way, and the flow is as long as the whole.
+// The two count a soft lamp as farther off by different ranges.
 TEST(ScatteredLight, FlowsNoMoreThanThereIs) {
   Random random(4207);
   for (const Phase& phase : {Phase{}, Phase::henyey_greenstein(0.95), Phase::droplets(10)}) {

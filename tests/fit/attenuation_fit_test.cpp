@@ -205,7 +205,8 @@ TEST(AttenuationFit, SamplesAnyNumberOfExtentsAwayHaveTheirBestFit) {
   EXPECT_GT(optimal, scaled_count(100));
 }
 
-// A light of one intensity at all ranges meets the lamp's sample. A start without a constant misses that by 1e100.
+// A constant attenuation meets the dark sample. The search begins at a fit that may miss it by so much that bounds for
+// the other samples overflow.
 TEST(AttenuationFit, DarkSampleAtTheLampIsMetWhateverItsWeight) {
   Random random(15);
   int optimal = 0;

@@ -124,8 +124,8 @@ class FalloffReferenceSearch {
     for (const auto& [range, attenuation, weight] : target_.samples) {
       for (std::size_t j = target_.constant ? 1 : 0; j < 3; ++j) {
         std::array q{target_.constant.value_or(0), 0.0, 0.0};
-        const double power = std::pow(range, double(j));
-        if (power > 0) q[j] = std::max(0.0, 1 / attenuation - q[0]) / power;
+        const double unit = power(range, j);
+        if (unit > 0) q[j] = std::max(0.0, 1 / attenuation - q[0]) / unit;
         least = std::min(least, objective(q));
       }
     }
