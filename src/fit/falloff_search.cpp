@@ -409,7 +409,7 @@ class HeldSearch {
     return sum.value + smallest_of(sum.slope, box);
   }
 
-  /// Inequality 2 about the reference; 0 if a term has no tangent there, or a D may be above kMaxCurved.
+  /// Inequality 2 about the reference; 0 if a term has no tangent there, or a D is above kMaxCurved.
   double reference_curvature_bound(const Box& box) const {
     if (!is_reference_smooth_) return 0;
     Plane tangents;
@@ -418,7 +418,7 @@ class HeldSearch {
       const Term& term = terms_[i];
       tangents.add(term.tangent, term.x);
       if (is_held(i)) continue;
-      if (ranges_[i].d.high > kMaxCurved) return 0;
+      if (ranges_[i].d.with(term.reference_d).high > kMaxCurved) return 0;
       add_square(curvature, least_curvature(term, ranges_[i]), term.x);
     }
     return tangents.value + smallest_of(tangents.slope, box) + smallest_bend(curvature, reference_, box);
