@@ -6,12 +6,15 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 #include "model/parallel.h"
 
 namespace litfog::measure {
 namespace {
 
+using Eigen::Index;
+using Eigen::MatrixXd;
 using std::numbers::pi;
 using Numbers = std::vector<double>;
 
@@ -83,6 +86,7 @@ RadialScattering::RadialScattering(double fineness) {
     angle_.push_back(i == angles ? pi : i == 0 ? 0 : high);
     stretched_.push_back(wanted);
   }
+  sines_ = Eigen::Map<const Eigen::ArrayXd>(angle_.data(), Index(angle_.size())).sin();
   for (const double depth : log_depth_) {
     for (const double angle : angle_) {
       begins_.push_back(samples_.size());
@@ -122,30 +126,30 @@ void RadialScattering::follow(double depth, double angle, const Use& use) const 
   }
 }
 
-Numbers RadialScattering::travel(const Numbers& source) const {
+MatrixXd RadialScattering::travel(const MatrixXd& source) const {
   const std::size_t angles = angle_.size();
-  Numbers result(source.size());
-  for_each_in_parallel(log_depth_.size(), [&](std::size_t row) {
-    for (std::size_t node = row * angles; node < (row + 1) * angles; ++node) {
+  MatrixXd result(source.rows(), source.cols());
+  for_each_in_parallel(log_depth_.size(), [&](std::size_t column) {
+    for (std::size_t node = column * angles; node < (column + 1) * angles; ++node) {
       double sum = 0;
       for (std::size_t i = begins_[node]; i < begins_[node + 1]; ++i) {
         const Sample& sample = samples_[i];
-        const double* at = &source[sample.first];
+        const double* at = &source.data()[sample.first];
         for (std::size_t k = 0; k < 4; ++k, at += angles) {
           sum += sample.depths[k] * (sample.angles[0] * at[0] + sample.angles[1] * at[1] + sample.angles[2] * at[2] +
                                      sample.angles[3] * at[3]);
         }
       }
-      result[node] = sum;
+      result.data()[node] = sum;
     }
   });
   return result;
 }
 
 /// K as a matrix over the angles, for light times the sine of its angle. Points are dense where the lobe is narrow.
-Numbers RadialScattering::redistribution(const Phase& phase) const {
+MatrixXd RadialScattering::redistribution(const Phase& phase) const {
   const std::size_t angles = angle_.size();
-  Numbers matrix(angles * angles);
+  MatrixXd matrix = MatrixXd::Zero(Index(angles), Index(angles));
   for_each_in_parallel(angles, [&](std::size_t row) {
     const double angle = angle_[row];
     for (const bool is_first : {true, false}) {
@@ -153,53 +157,32 @@ Numbers RadialScattering::redistribution(const Phase& phase) const {
       const double share = is_first ? phase.weight : 1 - phase.weight;
       if (share == 0) continue;
       const double narrow = 1 - std::abs(lobe.asymmetry);
-      Numbers weights(angles);
+      Eigen::VectorXd weights = Eigen::VectorXd::Zero(Index(angles));
       for (std::size_t cell = 0; cell + 1 < angles; ++cell) {
         for (double low = angle_[cell]; low < angle_[cell + 1];) {
           const double high = std::min(angle_[cell + 1], low + 0.3 * (narrow + std::abs(low - angle)));
           for (const auto& [node, weight] : kGauss) {
             const double other = low + node * (high - low);
-            const double value = share * averaged(lobe, angle, other) / 2 * weight * (high - low);
+            const double value = averaged(lobe, angle, other) / 2 * weight * (high - low);
             const Cubic at = cubic(stretched_, stretch(other));
-            for (std::size_t i = 0; i < 4; ++i) weights[at.first + i] += value * at.weights[i];
+            for (std::size_t i = 0; i < 4; ++i) weights[Index(at.first + i)] += value * at.weights[i];
           }
           low = high;
         }
       }
       // Light from all sides is conserved to the last digit: a loss of 1e-6 a scattering would show at 10 depths.
-      double all = 0;
-      for (std::size_t i = 0; i < angles; ++i) all += weights[i] * std::sin(angle_[i]);
-      for (std::size_t i = 0; i < angles; ++i) matrix[row * angles + i] += weights[i] * share / all;
+      matrix.row(Index(row)) += share / weights.dot(sines_) * weights.transpose();
     }
   });
   return matrix;
 }
 
-RadialScattering::Glow RadialScattering::solve(const Phase& phase, const Law& law) const {
-  const std::size_t angles = angle_.size(), depths = log_depth_.size(), count = angles * depths;
-  const Numbers matrix = redistribution(phase);
-  // Light times the sine of its angle, scattered, times the depth.
-  const auto scatter = [&](const Numbers& light) {
-    Numbers result(count);
-    for_each_in_parallel(depths, [&](std::size_t row) {
-      const double depth = std::exp(log_depth_[row]);
-      for (std::size_t i = 0; i < angles; ++i) {
-        double sum = 0;
-        for (std::size_t j = 0; j < angles; ++j) sum += matrix[i * angles + j] * light[row * angles + j];
-        result[row * angles + i] = depth * sum;
-      }
-    });
-    return result;
-  };
-  const auto scattered_on = [&](const Numbers& source) {
-    Numbers light = travel(source);
-    for (std::size_t i = 0; i < count; ++i) light[i] *= std::sin(angle_[i % angles]);
-    return scatter(light);
-  };
-  // Single scattering times the sine: over the angle at the lamp.
-  Numbers single(count);
-  for_each_in_parallel(depths, [&](std::size_t row) {
-    const double depth = std::exp(log_depth_[row]);
+/// Single scattering times the sine of its angle, by an integral over the angle at the lamp.
+MatrixXd RadialScattering::single_scattering(const Phase& phase, const Law& law) const {
+  const std::size_t angles = angle_.size();
+  MatrixXd single(angles, log_depth_.size());
+  for_each_in_parallel(log_depth_.size(), [&](std::size_t column) {
+    const double depth = std::exp(log_depth_[column]);
     for (std::size_t i = 0; i < angles; ++i) {
       const double angle = angle_[i];
       const double begin = stretch(angle), end = stretch(pi);
@@ -217,45 +200,42 @@ RadialScattering::Glow RadialScattering::solve(const Phase& phase, const Law& la
           const double legs = depth * (std::sin(angle) + std::sin(at - angle)) / std::sin(at);
           const double weakened = law ? law(depth * std::sin(angle) / std::sin(at)) : 1;
           const double half = std::sin(at / 2);
-          sum += weight * (end - begin) / panels / (1 / std::hypot(kSharpAngle, at) + 1) *
-                 weakened * phase_at(phase, 1 - 2 * half * half) * std::exp(-legs);
+          sum += weight * (end - begin) / panels / (1 / std::hypot(kSharpAngle, at) + 1) * weakened *
+                 phase_at(phase, 1 - 2 * half * half) * std::exp(-legs);
         }
       }
-      single[row * angles + i] = sum / depth;
+      single(Index(i), Index(column)) = sum / depth;
     }
   });
-  const auto dot = [](const Numbers& a, const Numbers& b) {
-    double sum = 0;
-    for (std::size_t i = 0; i < a.size(); ++i) sum += a[i] * b[i];
-    return sum;
-  };
-  const auto apply = [&](const Numbers& x) {
-    Numbers result = scattered_on(x);
-    for (std::size_t i = 0; i < count; ++i) result[i] = x[i] - result[i];
-    return result;
-  };
-  const Numbers right = scatter(single);
-  Numbers x = right, residual = apply(x);
-  for (std::size_t i = 0; i < count; ++i) residual[i] = right[i] - residual[i];
-  const Numbers shadow = residual;
-  Numbers direction(count), image(count);
+  return single;
+}
+
+RadialScattering::Glow RadialScattering::solve(const Phase& phase, const Law& law) const {
+  const MatrixXd matrix = redistribution(phase);
+  const Eigen::VectorXd depths = Eigen::Map<const Eigen::ArrayXd>(log_depth_.data(), Index(log_depth_.size())).exp();
+  // Light times the sine of its angle, scattered, times the depth.
+  const auto scatter = [&](const MatrixXd& light) -> MatrixXd { return matrix * light * depths.asDiagonal(); };
+  const auto apply = [&](const MatrixXd& x) -> MatrixXd { return x - scatter(sines_.asDiagonal() * travel(x)); };
+  const auto dot = [](const MatrixXd& a, const MatrixXd& b) { return a.cwiseProduct(b).sum(); };
+  const MatrixXd right = scatter(single_scattering(phase, law));
+  MatrixXd x = right, residual = right - apply(x);
+  const MatrixXd shadow = residual;
+  MatrixXd direction = MatrixXd::Zero(x.rows(), x.cols()), image = direction;
   double rho = 1, alpha = 1, omega = 1;
   // Far from the lamp there is 1e-5 of the light near it, and a residual of 1e-7 would show there.
-  const double enough = 1e-22 * dot(right, right);
-  for (int iteration = 0; dot(residual, residual) > enough; ++iteration) {
+  const double enough = 1e-22 * right.squaredNorm();
+  for (int iteration = 0; residual.squaredNorm() > enough; ++iteration) {
     if (iteration == 400) throw std::runtime_error("the radial solution does not converge");
     const double next = dot(shadow, residual), beta = next / rho * alpha / omega;
     rho = next;
-    for (std::size_t i = 0; i < count; ++i) direction[i] = residual[i] + beta * (direction[i] - omega * image[i]);
+    direction = residual + beta * (direction - omega * image);
     image = apply(direction);
     alpha = rho / dot(shadow, image);
-    for (std::size_t i = 0; i < count; ++i) residual[i] -= alpha * image[i];
-    const Numbers turned = apply(residual);
-    omega = dot(turned, residual) / dot(turned, turned);
-    for (std::size_t i = 0; i < count; ++i) {
-      x[i] += alpha * direction[i] + omega * residual[i];
-      residual[i] -= omega * turned[i];
-    }
+    residual -= alpha * image;
+    const MatrixXd turned = apply(residual);
+    omega = dot(turned, residual) / turned.squaredNorm();
+    x += alpha * direction + omega * residual;
+    residual -= omega * turned;
   }
   Glow glow;
   glow.nodes_ = this;
@@ -265,12 +245,11 @@ RadialScattering::Glow RadialScattering::solve(const Phase& phase, const Law& la
 
 double RadialScattering::Glow::at(double depth, double angle) const {
   double sum = 0;
-  const std::size_t angles = nodes_->angle_.size();
   nodes_->follow(depth, angle, [&](const Cubic& at_depth, const Cubic& at_angle, double weight) {
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = 0; j < 4; ++j) {
         sum += weight * at_depth.weights[i] * at_angle.weights[j] *
-               source_[(at_depth.first + i) * angles + at_angle.first + j];
+               source_(Index(at_angle.first + j), Index(at_depth.first + i));
       }
     }
   });

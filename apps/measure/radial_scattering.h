@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -42,7 +43,7 @@ class RadialScattering {
    private:
     friend RadialScattering;
     const RadialScattering* nodes_ = nullptr;
-    std::vector<double> source_;  // S times depth, at depths by angles
+    Eigen::MatrixXd source_;  // S times depth, a column for each depth
   };
 
   /// The result refers to this object.
@@ -59,10 +60,12 @@ class RadialScattering {
 
   template <typename Use>
   void follow(double depth, double angle, const Use& use) const;
-  std::vector<double> travel(const std::vector<double>& source) const;
-  std::vector<double> redistribution(const Phase& phase) const;
+  Eigen::MatrixXd travel(const Eigen::MatrixXd& source) const;
+  Eigen::MatrixXd redistribution(const Phase& phase) const;
+  Eigen::MatrixXd single_scattering(const Phase& phase, const Law& law) const;
 
   std::vector<double> log_depth_, angle_, stretched_;
+  Eigen::VectorXd sines_;  // of the angles
   std::vector<Sample> samples_;
   std::vector<std::size_t> begins_;  // first sample of each node's ray
 };
