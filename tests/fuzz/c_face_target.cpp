@@ -145,13 +145,19 @@ void call_functions(Random& random, Draw& draw) {
   if (is_ok(litfog_axial_airlight(&light, &fog, &number))) {
     EXPECT_TRUE(number >= 0 && number <= 1) << number;
   }
+  litfog_light_bounds bounds;
   const std::array rays{draw.ray(), draw.ray()};
   std::array<double, 2> airlights;
   if (is_ok(litfog_airlight(&placed, &air, rays.data(), rays.size(), draw.choice(2), airlights.data()))) {
     EXPECT_TRUE(is_light && is_air);
     for (const double airlight : airlights) EXPECT_TRUE(airlight >= 0 && std::isfinite(airlight)) << airlight;
   }
-  is_ok(litfog_light_reach(&light, &fog, draw.number(0.01), draw.choice(2), &number));
+  if (is_ok(litfog_light_reach(&light, &fog, draw.number(0.01), draw.choice(2), &number))) {
+    EXPECT_TRUE(number >= 0 && number <= solution.extent) << number;
+  }
+  if (is_ok(litfog_bounds_of(&placed, draw.size(), &bounds))) {
+    EXPECT_TRUE(is_light);
+  }
   is_ok(litfog_reach_budget(draw.number(0.002), draw.count(9), draw.size(), &air, &number));
   is_ok(litfog_effective_intensity(&light.attenuation, draw.size(), &number));
   if (is_ok(litfog_directional_airlight(&air, placed.direction, rays.data(), rays.size(), airlights.data()))) {
@@ -204,7 +210,7 @@ void call_functions(Random& random, Draw& draw) {
     for (const double intensity : solved[0]) EXPECT_TRUE(intensity >= 0 && intensity <= 1) << intensity;
   }
 
-  litfog_light_bounds bounds = draw.bounds();
+  bounds = draw.bounds();
   std::int32_t can = 0;
   double low[3], high[3];
   draw.vector(low);
