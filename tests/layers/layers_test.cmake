@@ -90,7 +90,7 @@ layer(apps/scene/file/** FORBIDDEN ${above_scene} ${gl} ${graphics})
 layer(apps/render/** FORBIDDEN command/ image/ scene/file/ ${catalogues} measure/ ${above_measure} litfog/files/ ${fit}
       ${ceres} ${json} ${images} ${displays} CLI/)
 layer(apps/measure/** FORBIDDEN command/ image/ scene/file/ ${catalogues} ${above_measure} litfog/files/ ${fit}
-      ${ceres} ${json} ${displays} CLI/)
+      ceres/ ${json} ${displays} CLI/)
 layer(apps/drawing/** FORBIDDEN papers/ demo/ solve/ fit/ bench/ window/ pictures/ ${displays})
 layer(apps/papers/** FORBIDDEN demo/ solve/ fit/ bench/ window/ pictures/ ${displays})
 layer(apps/demo/** FORBIDDEN solve/ fit/ bench/ window/ ${displays})
