@@ -336,14 +336,17 @@ TEST_F(ReferenceMaterial, PathsDrawFilteredPicturesByLampsAsTheReferenceHasThem)
   }
 }
 
-// Lamps glow to the depth of what is seen: a hole of a mask must not end their rays.
+// Lamps glow to the depth of what is seen: a hole of a mask must not end their rays. In all orders of scattering, but
+// where these light surfaces, too, coarsely.
 TEST_F(ReferenceMaterial, AirlightEndsAtWhatAMaskLeavesByEveryPathThatTakesIt) {
   const Scene scene = panels_by_lamps();
   for (const LightingPath& path : lighting_paths()) {
     if (!path.takes_airlight) continue;
-    Renderer renderer(
-        scene, 64, 48,
-        {.path = &path, .fog_lighting = FogLighting::airlight, .samples = path.has_several_passes() ? 1 : 4});
+    Renderer renderer(scene, 64, 48,
+                      {.path = &path,
+                       .fog_lighting = FogLighting::airlight,
+                       .scattering = path.takes_scattered_light ? Scattering::single : Scattering::all,
+                       .samples = path.has_several_passes() ? 1 : 4});
     renderer.set_atmosphere(renderer.scene().atmosphere.with(Fog::from_visibility(FogMode::exp, 20.0)));
     renderer.draw(LightPoints::off);
     const Picture picture = renderer.read();

@@ -13,7 +13,7 @@ namespace litfog::render {
 
 FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
                                   double exposure, const HigherOrders& higher_orders,
-                                  std::span<const std::int32_t> casters) {
+                                  std::span<const std::int32_t> casters, bool beyond_extents) {
   FarAirlightList list;
   const double density = atmosphere.thickest_fog().density;
   if (!(density > 0) || std::isinf(density)) return list;
@@ -38,7 +38,7 @@ FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& a
   std::vector<Candidate> candidates;
   for (std::size_t i = 0; i < lights.size(); ++i) {
     const double extent = lights.extents()[i];
-    const bool is_single = std::isfinite(extent) && (casters.empty() || casters[i] < 0);
+    const bool is_single = beyond_extents && std::isfinite(extent) && (casters.empty() || casters[i] < 0);
     if (!is_single && !higher_orders.table) continue;
     const AirlightBound& bound =
         bounds.emplace_back(lights.lights()[i], extent, atmosphere, scattering, eye, higher_orders.of(i));

@@ -45,8 +45,9 @@ struct FarAirlightList {
 /// exposure       EV at which the picture is shown
 /// higher_orders  of the lights
 /// casters        of each light: at least 0 if it cuts shafts; empty: none does
+/// beyond_extents whether lights without shafts light the fog beyond their extents
 FarAirlightList list_far_airlight(const SceneLights& lights, const Atmosphere& atmosphere, const glm::dvec3& eye,
                                   double exposure, const HigherOrders& higher_orders = {},
-                                  std::span<const std::int32_t> casters = {});
+                                  std::span<const std::int32_t> casters = {}, bool beyond_extents = true);
 
 }  // namespace litfog::render

@@ -181,13 +181,12 @@ void FramePlanner::make_plan(const FrameView& view) {
 
 void FramePlanner::plan_airlight(const FrameView& view) {
   const double exposure = view.exposures.airlight;
+  const bool beyond_extents = lights_fog_beyond_end(settings_);
   plan_.airlights = list_airlight(lights_, atmosphere_, view.camera.position, view.pixels_per_radian, exposure,
-                                  plan_.higher_orders, shaft_casters_, lights_fog_beyond_end(settings_));
+                                  plan_.higher_orders, shaft_casters_, beyond_extents);
   plan_.airlight_tiles = list_airlight_tiles(plan_.airlights, view.camera, view.picture_size, kCoarsestGrid);
-  if (lights_fog_beyond_end(settings_)) {
-    plan_.far_airlights =
-        list_far_airlight(lights_, atmosphere_, view.camera.position, exposure, plan_.higher_orders, shaft_casters_);
-  }
+  plan_.far_airlights = list_far_airlight(lights_, atmosphere_, view.camera.position, exposure, plan_.higher_orders,
+                                          shaft_casters_, beyond_extents);
   plan_.counts.airlights_drawn = plan_.airlights.light_count;
   plan_.counts.airlights_invisible = lights_.size() - plan_.airlights.light_count;
 }
