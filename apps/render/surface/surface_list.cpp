@@ -136,9 +136,9 @@ MeshStore SurfaceList::upload_meshes(const scene::Scene& scene) const {
 }
 
 void SurfaceList::set_lights(const scene::Scene& scene, const SceneLights& lights, Skipping skipping) {
-  // A frame's light list also holds the carried lights and points.
+  // A frame's light list also holds the carried lights, and twice as many texels as there are points.
   const std::size_t most = std::min(kMaxListed, BufferTexture::max_texels());
-  const std::size_t room = most - std::min(most, lights.size());
+  const std::size_t room = most - std::min(most, 2 * lights.size());
   const bool has_ends = !lights.light_surfaces_beyond_end();
   for (const double reach : kReaches) {
     if (has_ends && reach != 1) continue;
