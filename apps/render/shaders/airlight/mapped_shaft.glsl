@@ -22,6 +22,9 @@ float lit_at(ShadowCaster caster, vec3 position) {
   return texture(shadow_maps, vec4(uv, float(caster.first_layer + map), compared));
 }
 
+// Whether surfaces cut shafts out of a light's airlight.
+bool cuts_shafts(int light_index) { return texelFetch(caster_of_light, light_index).x >= 0; }
+
 // Whether a light reaches a position; 1 if it casts no shadows.
 float lit_fraction_at(int light_index, vec3 position) {
   int caster = texelFetch(caster_of_light, light_index).x;

@@ -26,7 +26,7 @@ vec3 airlight_before(vec3 position) {
     if (dot(offset, offset) > entry.y * entry.y) continue;
     float lit = has_shafts ? lit_fraction(index, light, direction, range) : 1.0;
     sum += lit * litfog_light_airlight(light, eye, direction, range);
-    if (!has_shafts && far_depth > 0.0) {
+    if (!(has_shafts && cuts_shafts(index)) && far_depth > 0.0) {
       LitfogAirlight air = litfog_light_airlight_ray(light, eye, direction, range);
       sum += light.color_intensity.rgb * (litfog_airlight_unit() * litfog_far_peak(air));
     }
