@@ -231,8 +231,7 @@ void add_scenes_and_folder(CLI::App& app, ScenesOptions& options) {
 Job add_gallery_job(CLI::App& app) {
   const auto options = std::make_shared<ScenesOptions>(ScenesOptions{.scenes = {}, .folder = "gallery", .drawing = {}});
   app.footer(
-      "If airlight is the default, the first scene is also drawn by peak, for comparison. The scene tessellation "
-      "is "
+      "If airlight is the default, the first scene is also drawn by peak, for comparison. The scene tessellation is "
       "drawn only if it is named.\n\n"
       "Example:\n  litfog-demo gallery room headlights --size 640x360 -o out");
   add_scenes_and_folder(app, *options);
@@ -416,10 +415,8 @@ Job add_list_job(CLI::App& app) {
     check_options(app,
                   {{"list scenes or list paths", true, {"SCENE", "--set", "--format"}, "only lights are a scene's"}});
     if (options->what == What::paths) {
-      for (const auto paths : {render::lighting_paths(), render::published_programs()}) {
-        for (const render::LightingPath& path : paths) {
-          report(fmt::format("{:<13} {} ({})\n", path.name, path.description, path.source));
-        }
+      for (const render::LightingPath& path : render::all_paths()) {
+        report(fmt::format("{:<13} {} ({})\n", path.name, path.description, path.source));
       }
       return kDone;
     }

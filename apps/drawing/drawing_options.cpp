@@ -84,9 +84,7 @@ void add_phase(CLI::App& app, DrawingOptions& options) {
 
 std::vector<std::pair<std::string, const render::LightingPath*>> path_names() {
   std::vector<std::pair<std::string, const render::LightingPath*>> names;
-  for (const auto paths : {render::lighting_paths(), render::published_programs()}) {
-    for (const render::LightingPath& path : paths) names.emplace_back(path.name, &path);
-  }
+  for (const render::LightingPath& path : render::all_paths()) names.emplace_back(path.name, &path);
   return names;
 }
 

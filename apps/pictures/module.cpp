@@ -145,9 +145,7 @@ py::object render(const py::object& picture_class, const py::object& scene, cons
 
 std::vector<std::string> path_names() {
   std::vector<std::string> names;
-  for (const auto paths : {render::lighting_paths(), render::published_programs()}) {
-    for (const render::LightingPath& path : paths) names.emplace_back(path.name);
-  }
+  for (const render::LightingPath& path : render::all_paths()) names.emplace_back(path.name);
   return names;
 }
 

@@ -171,12 +171,10 @@ void draw_lighting(drawing::DrawingOptions& options) {
   label("Path");
   const std::string shown(options.render.path->name);
   if (ImGui::BeginCombo("##path", shown.c_str(), ImGuiComboFlags_HeightLarge)) {
-    for (const auto paths : {render::lighting_paths(), render::published_programs()}) {
-      for (const render::LightingPath& path : paths) {
-        const std::string name(path.name);
-        if (ImGui::Selectable(name.c_str(), &path == options.render.path)) options.render.path = &path;
-        explain(fmt::format("{}\n{}", path.description, path.source).c_str());
-      }
+    for (const render::LightingPath& path : render::all_paths()) {
+      const std::string name(path.name);
+      if (ImGui::Selectable(name.c_str(), &path == options.render.path)) options.render.path = &path;
+      explain(fmt::format("{}\n{}", path.description, path.source).c_str());
     }
     ImGui::EndCombo();
   }

@@ -391,12 +391,9 @@ TEST_F(DemoCommand, MedianOfTwoFramesLiesBetweenThem) {
 TEST_F(DemoCommand, ListJobNamesPathsAndScenes) {
   const std::string paths = run("list paths").out;
   EXPECT_EQ(paths.substr(0, 8), "unified ");
-  EXPECT_EQ(std::ranges::count(paths, '\n'),
-            std::ssize(render::lighting_paths()) + std::ssize(render::published_programs()));
-  for (const auto& rows : {render::lighting_paths(), render::published_programs()}) {
-    for (const auto& path : rows) {
-      EXPECT_TRUE(has(('\n' + paths), fmt::format("\n{} ", path.name))) << path.name;
-    }
+  EXPECT_EQ(std::ranges::count(paths, '\n'), std::ssize(render::all_paths()));
+  for (const auto& path : render::all_paths()) {
+    EXPECT_TRUE(has(('\n' + paths), fmt::format("\n{} ", path.name))) << path.name;
   }
   const std::string scenes = run("list scenes").out;
   for (const char* scene : {"approach", "cookies", "headlights", "lighthouse", "room", "street", "tessellation"})

@@ -22,13 +22,13 @@ struct Setting {
 /// The settings of a comparison: the command line's with the changes of each text. A single text is compared with the
 /// base itself.
 ///
-///     visibility=50 path=vertex         options of a single picture, with or without their dashes
-///     no-skip flags, in the same way lights[0].threshold=0.1 other members: as by --set
-///     other.json                        another scene
+///     visibility=50 path=vertex  options of a single picture, with or without their dashes
+///     no-skip                    flags, in the same way
+///     lights[0].threshold=0.1    other members: as by --set
+///     other.json                 another scene
 ///
 /// throws  CLI::ValidationError naming --with, its text and what is wrong, or an option of the command line that
-/// changes
-///         none of the pictures
+///         changes none of the pictures
 std::vector<Setting> parse_settings(const CLI::App& app, const Setting& base, const std::vector<std::string>& texts);
 
 /// Draws the settings, timed with interleaved frames, and writes index.html (settings_page) into a folder, made if

@@ -189,7 +189,16 @@ std::vector<LightingPath> make_programs() {
 }  // namespace
 
 std::span<const LightingPath> lighting_paths() {
-  static const std::vector<LightingPath> kPaths = make_paths();
+  static const std::size_t kCount = make_paths().size();
+  return all_paths().first(kCount);
+}
+
+std::span<const LightingPath> all_paths() {
+  static const std::vector<LightingPath> kPaths = [] {
+    std::vector<LightingPath> paths = make_paths();
+    std::ranges::move(make_programs(), std::back_inserter(paths));
+    return paths;
+  }();
   return kPaths;
 }
 
@@ -236,17 +245,9 @@ const SurfacePass& depth_pass() {
   return kPass;
 }
 
-std::span<const LightingPath> published_programs() {
-  static const std::vector<LightingPath> kPrograms = make_programs();
-  return kPrograms;
-}
-
 const LightingPath* find_lighting_path(std::string_view name) {
-  for (const auto paths : {lighting_paths(), published_programs()}) {
-    const auto found = std::ranges::find(paths, name, &LightingPath::name);
-    if (found != paths.end()) return &*found;
-  }
-  return nullptr;
+  const auto found = std::ranges::find(all_paths(), name, &LightingPath::name);
+  return found == all_paths().end() ? nullptr : &*found;
 }
 
 }  // namespace litfog::render

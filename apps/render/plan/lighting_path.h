@@ -114,11 +114,11 @@ struct LightingPath {
   bool has_mapped_fog() const { return passes[0].lights.bring_fog; }
 };
 
-/// Every path, the default one first.
+/// The ten paths that are compared, the default one first.
 std::span<const LightingPath> lighting_paths();
 
-/// The papers' sample programs, exercises and intermediate pictures.
-std::span<const LightingPath> published_programs();
+/// They, then the papers' sample programs, exercises and intermediate pictures.
+std::span<const LightingPath> all_paths();
 
 /// Draws the base texture without light and fog: the lower limit of the paths' cost. Not one of the paths.
 const LightingPath& unlit_path();
@@ -138,7 +138,7 @@ const SurfacePass& fog_alone_pass();
 /// Draws only a surface's depth, for any path.
 const SurfacePass& depth_pass();
 
-/// One of lighting_paths() or published_programs(). Null if none has that name.
+/// One of all_paths(). Null if none has that name.
 const LightingPath* find_lighting_path(std::string_view name);
 
 }  // namespace litfog::render
