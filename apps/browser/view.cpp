@@ -39,7 +39,7 @@ View::View(const scene::Scene& scene)
       updater_(0),  // which lights are too dark to be seen depends on the exposure
       meshes_(scene.models, [](const std::string&) { return false; }),
       sky_(scene, light_block_),
-      surface_program_("lit.vert", "lit.frag", render::render_shaders()),
+      surface_program_("surface.vert", "lit.frag", render::render_shaders()),
       point_programs_{make_point_program(render::FogLighting::peak), make_point_program(render::FogLighting::airlight)},
       airlight_program_("whole_picture.vert", "airlight.frag", render::render_shaders()),
       shown_program_("whole_picture.vert", "shown.frag", render::render_shaders()) {

@@ -4,8 +4,7 @@
 // depth buffer of one sample would do, but SwiftShader's is wrong where a sliver of a long triangle begins at the eye.)
 
 #define LITFOG_FOG_LIGHTS
-#include "light_list.glsl"
-#include "litfog/shaders/fog.glsl"
+#include "carried_fog.glsl"
 #include "litfog/shaders/surface.glsl"
 #include "world_normal.glsl"
 
@@ -13,12 +12,6 @@ uniform vec3 ambient_light;
 uniform bool has_airlight;  // the fog dims lamps on their way to the surface, too
 
 out vec4 color;
-
-vec3 litfog_lights_fog(vec3 position) {
-  vec3 fog = vec3(0.0);
-  for (int i = 0; i < carried_count; ++i) fog += litfog_light_fog(carried_light(i), position);
-  return fog;
-}
 
 void main() {
   vec3 position = fragment_position();

@@ -18,16 +18,9 @@ in vec3 cookie_up[batch_size];
 
 void main() {
   vec4 albedo = base_texture();
-
-  LitfogSurface surface;
-  surface.position = vec3(0.0);
-  surface.normal = normalize(mapped_normal());
-  surface.to_eye = normalize(to_viewer);
-  surface.emissive = emissive;
-  surface.ambient = ambient_reflectance(albedo.rgb);
-  surface.diffuse = albedo.rgb;
-  surface.specular = specular * albedo.a;
-  surface.shininess = shininess;
+  LitfogSurface surface =
+      LitfogSurface(vec3(0.0), normalize(mapped_normal()), normalize(to_viewer), emissive,
+                    ambient_reflectance(albedo.rgb), albedo.rgb, specular * albedo.a, shininess);
 
   vec3 lit = vec3(0.0);
   if (is_first_pass) {

@@ -22,16 +22,9 @@
 void main() {
   vec3 position = fragment_position();
   vec4 albedo = base_texture();
-
-  LitfogSurface surface;
-  surface.position = position;
-  surface.normal = mapped_world_normal();
-  surface.to_eye = normalize(vector_to_viewer(position));
-  surface.emissive = emissive;
-  surface.ambient = ambient_reflectance(albedo.rgb);
-  surface.diffuse = albedo.rgb;
-  surface.specular = specular * albedo.a;
-  surface.shininess = shininess;
+  LitfogSurface surface =
+      LitfogSurface(position, mapped_world_normal(), normalize(vector_to_viewer(position)), emissive,
+                    ambient_reflectance(albedo.rgb), albedo.rgb, specular * albedo.a, shininess);
 
   vec3 lit = litfog_ambient(surface, ambient_light) + surface.diffuse * scattered_irradiance(position, surface.normal);
   if (has_moon) lit += moon_factor() * litfog_reflect(surface, moon_direction, moon_color);
