@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "litfog/photometry/cookie_airlight.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "airlight/airlight_quadrature.h"
 #include "airlight/airlight_text.h"
 #include "airlight/legendre.h"
+#include "litfog/photometry/cube_face.h"
 #include "model/require.h"
 #include "model/unchecked.h"
 
@@ -83,22 +85,33 @@ double picture_airlight(const PlacedLight& light, const Cookie& cookie, const gl
 }
 
 BeamMoments beam_moments(const Cookie& cookie) {
-  constexpr int kSize = 64;  // directions along an edge of each face of a cube
+  // Along an edge of a face: samples, which are the texels of a cookie that has more, because a narrow beam lies
+  // between fewer; and the samples of a cell, in which the polynomials are those of the mean cosine.
+  constexpr int kFewest = 64;
+  const int size = std::max(cookie.size, kFewest), cell = size / kFewest;
   BeamMoments moments{};
   double whole = 0;
+  const auto add_cell = [&](int face, int first_row, int first_column) {
+    double light = 0, cosines = 0;
+    for (int row = first_row; row < std::min(first_row + cell, size); ++row) {
+      for (int column = first_column; column < std::min(first_column + cell, size); ++column) {
+        const glm::dvec3 direction = cube_direction({face, (2 * column + 1.0) / size - 1, (2 * row + 1.0) / size - 1});
+        const double square = glm::dot(direction, direction), length = std::sqrt(square);
+        const double fraction = size == cookie.size
+                                    ? double(cookie.texels[std::size_t((face * size + row) * size + column)])
+                                    : cookie_at(cookie, direction);
+        whole += 1 / (square * length);
+        light += fraction / (square * length);
+        cosines -= fraction / (square * square) * direction.z;
+      }
+    }
+    if (light == 0) return;
+    for_each_polynomial<kBeamOrders>(
+        cosines / light, [&](std::size_t order, double polynomial, double) { moments[order] += light * polynomial; });
+  };
   for (int face = 0; face < 6; ++face) {
-    for (int i = 0; i < kSize * kSize; ++i) {
-      const double u = 2 * (i % kSize + 0.5) / kSize - 1, v = 2 * (i / kSize + 0.5) / kSize - 1;
-      glm::dvec3 direction(0.0);
-      direction[face / 2] = face % 2 == 0 ? 1 : -1;
-      direction[(face / 2 + 1) % 3] = u;
-      direction[(face / 2 + 2) % 3] = v;
-      const double solid_angle = std::pow(1 + u * u + v * v, -1.5);
-      const double part = solid_angle * cookie_at(cookie, direction);
-      const double cosine = -direction.z / glm::length(direction);
-      whole += solid_angle;
-      for_each_polynomial<kBeamOrders>(
-          cosine, [&](std::size_t order, double polynomial, double) { moments[order] += part * polynomial; });
+    for (int row = 0; row < size; row += cell) {
+      for (int column = 0; column < size; column += cell) add_cell(face, row, column);
     }
   }
   for (double& moment : moments) moment /= whole;

@@ -96,13 +96,15 @@ TEST(CookieAirlight, ReferenceFollowsEachTexel) {
   }
 }
 
-// A beam of cos^n has the mean 1 / (2 n + 2) and the mean cosine (n + 1) / (n + 2).
+// A beam of cos^n has the mean 1 / (2 n + 2) and the mean cosine (n + 1) / (n + 2). A narrow one spans few texels.
 TEST(CookieAirlight, CookieHasTheFluxAndTheMeanCosineOfItsBeam) {
-  const Cookie cookie = make_cookie(
-      64, [](const glm::dvec3& direction) { return std::pow(std::max(-glm::normalize(direction).z, 0.0), 4); });
-  const BeamMoments moments = beam_moments(cookie);
-  EXPECT_NEAR(moments[0], 0.1, 2e-4);
-  EXPECT_NEAR(moments[1] / moments[0], 5 / 6., 2e-4);
+  for (const auto& [size, n] : {std::pair{64, 4.0}, {65, 4.0}, {128, 1000.0}, {512, 10'000.0}, {700, 1e5}}) {
+    const Cookie cookie =
+        make_cookie(size, [n = n](const glm::dvec3& d) { return std::pow(std::max(-glm::normalize(d).z, 0.0), n); });
+    const BeamMoments moments = beam_moments(cookie);
+    EXPECT_NEAR(moments[0] * (2 * n + 2), 1, kCookieMomentMaxError) << size << " " << n;
+    EXPECT_NEAR((1 - moments[1] / moments[0]) * (n + 2), 1, kCookieMomentMaxError) << size << " " << n;
+  }
 }
 
 }  // namespace
