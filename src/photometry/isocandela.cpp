@@ -28,6 +28,7 @@ constexpr std::string_view kPointRule =
     "must have no point, which may be between thousands; after a decimal point, write more or fewer than three digits";
 constexpr double kRadiansPerDegree = std::numbers::pi / 180;
 constexpr std::size_t kMaxCells = 1000;  // per row
+constexpr std::size_t kMaxEllipses = 1000;
 
 /// Whether a line is blank, or only separators (from spreadsheets), or a comment, which spreadsheets may quote.
 bool is_passed_over(std::string_view line) {
@@ -293,6 +294,7 @@ void parse_ellipses(Rows& rows, Luminaire& luminaire) {
       if (ellipses.empty()) fail(cells.front(), "row of an ellipse", "");
       break;
     }
+    if (ellipses.size() == kMaxEllipses) fail(cells[0], "candela", "must not begin another ellipse after 1000");
     if (ellipses.empty()) luminaire.peak_location = cells[0].location;
     ellipses.push_back({.intensity = candela_of(rows, cells[0]),
                         .horizontal = half_axis(rows, cells[1], kHorizontal),
