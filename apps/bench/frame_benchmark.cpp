@@ -51,18 +51,16 @@ void measure(const Setting& setting, bool quick, const measure::Progress& progre
   if (setting.function) atmosphere.phase = *setting.function;
   const glm::ivec2 size = quick ? kQuickSize : kSize;
   std::vector<std::unique_ptr<render::Renderer>> renderers;
-  std::vector<measure::DrawFrame> in_turn;
   for (const FogLight& light : kFogLights) {
     const render::RenderSettings settings{.fog_lighting = light.lighting, .scattering = light.scattering};
     render::Renderer& renderer =
         *renderers.emplace_back(std::make_unique<render::Renderer>(scene, size.x, size.y, settings));
     renderer.set_atmosphere(atmosphere);
     renderer.set_exposure({.ev = scene.display.exposure.value_or(0), .is_auto = !scene.display.exposure});
-    in_turn.push_back(measure::frames_of(renderer));
   }
   const measure::FrameBudget budget =
       quick ? measure::FrameBudget::exactly(3) : measure::FrameBudget{.seconds = 10, .fewest = 3, .most = 15};
-  const std::vector<measure::FrameTimes> times = measure::time_frames(in_turn, budget, progress);
+  const std::vector<measure::FrameTimes> times = measure::time_frames(renderers, budget, progress);
   for (std::size_t i = 0; i < renderers.size(); ++i) {
     const render::FrameCounts counts = times[i].counts;
     renderers[i]->set_size(kErrorSize.x, kErrorSize.y);

@@ -64,14 +64,12 @@ Result measure_rejection(bool quick) {
       const Fog fog = Fog::from_visibility(FogMode::exp, scene::suggested_visibility(scene));
       for (const int samples : {1, 4}) {
         std::vector<std::unique_ptr<render::Renderer>> renderers;
-        std::vector<measure::DrawFrame> draws;
         for (const auto& [text, rejection] : kRejections) {
           const render::RenderSettings settings{.papers = {.early_rejection = rejection}, .samples = samples};
           renderers.push_back(std::make_unique<render::Renderer>(scene, width, height, settings));
           renderers.back()->set_atmosphere(scene.atmosphere.with(fog));
-          draws.push_back(measure::frames_of(*renderers.back()));
         }
-        const auto times = measure::time_frames(draws, budget, [&](std::string_view step) {
+        const auto times = measure::time_frames(renderers, budget, [&](std::string_view step) {
           shown.show(fmt::format("{}, {} lights, {} a pixel: {}", name, lights, samples, step));
         });
         for (std::size_t i = 0; i < times.size(); ++i) {

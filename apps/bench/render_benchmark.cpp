@@ -68,8 +68,7 @@ constexpr glm::ivec2 kAirlightErrorSize{32, 18};
 
 std::vector<Setting> settings(bool quick) {
   if (quick) {
-    return {{"room", 2, 80, 45, render::Skipping::on},
-            {"room", 16, 80, 45, render::Skipping::on}};
+    return {{"room", 2, 80, 45, render::Skipping::on}, {"room", 16, 80, 45, render::Skipping::on}};
   }
   std::vector<Setting> all;
   for (const std::size_t lights : {1u, 2u, 4u, 16u, 64u, 256u}) {
@@ -198,8 +197,8 @@ command::Table make_table(const std::vector<Trial>& trials) {
                          : command::Table::Cell(std::monostate{});
     };
     table.rows.push_back(
-        {setting.scene, trial.technique.path_name(), name_of(trial.technique.fog_lighting),
-         double(setting.lights), fmt::format("{}x{}", setting.width, setting.height), double(setting.samples),
+        {setting.scene, trial.technique.path_name(), name_of(trial.technique.fog_lighting), double(setting.lights),
+         fmt::format("{}x{}", setting.width, setting.height), double(setting.samples),
          setting.skipping == render::Skipping::on ? "on" : "off", trial.times.median(), trial.times.spread(),
          trial.over_legacy, trial.over_two_light_legacy,
          trial.over_plain ? command::Table::Cell(*trial.over_plain) : command::Table::Cell(std::monostate{}),

@@ -56,4 +56,11 @@ std::vector<FrameTimes> time_frames(const std::vector<DrawFrame>& renderers, con
   return times;
 }
 
+std::vector<FrameTimes> time_frames(const std::vector<std::unique_ptr<render::Renderer>>& renderers,
+                                    const FrameBudget& budget, const Progress& progress) {
+  std::vector<DrawFrame> draws;
+  for (const auto& renderer : renderers) draws.push_back(frames_of(*renderer));
+  return time_frames(draws, budget, progress);
+}
+
 }  // namespace litfog::measure

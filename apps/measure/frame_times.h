@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -45,5 +46,7 @@ DrawFrame frames_of(render::Renderer& renderer);
 /// returns    the renderers' times, in their order
 std::vector<FrameTimes> time_frames(const std::vector<DrawFrame>& renderers, const FrameBudget& budget,
                                     const Progress& progress = {});
+std::vector<FrameTimes> time_frames(const std::vector<std::unique_ptr<render::Renderer>>& renderers,
+                                    const FrameBudget& budget, const Progress& progress = {});
 
 }  // namespace litfog::measure

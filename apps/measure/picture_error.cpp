@@ -69,6 +69,11 @@ PictureError picture_error(const render::Picture& drawn, const ReferencePicture&
   return error;
 }
 
+PictureError picture_error(const render::Picture& drawn, const render::Picture& other, double exposure) {
+  const std::vector<std::uint8_t> no_jumps(other.rgb.size() / 3);
+  return picture_error(drawn, {.picture = other, .least = other, .most = other, .is_at_jump = no_jumps}, exposure);
+}
+
 std::string error_in_words(const PictureError& error) {
   const std::string words = fmt::format("largest error {:.3g}, mean {:.3g} of 1/255", error.largest, error.mean);
   return error.excluded > 0 ? fmt::format("{}; pixels excluded: {}", words, error.excluded) : words;

@@ -33,6 +33,7 @@ struct PictureError {
 ///
 /// exposure  EV of the display
 PictureError picture_error(const render::Picture& drawn, const ReferencePicture& reference, double exposure = 0);
+PictureError picture_error(const render::Picture& drawn, const render::Picture& other, double exposure = 0);
 
 /// "largest error 0.139, mean 0.0126 of 1/255", and the number of excluded pixels if there are any.
 std::string error_in_words(const PictureError& error);

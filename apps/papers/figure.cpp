@@ -39,9 +39,7 @@ std::unique_ptr<render::Renderer> FigurePainter::renderer(const Scene& scene, co
 }
 
 std::vector<double> relative_times(const std::vector<std::unique_ptr<render::Renderer>>& renderers, int frames) {
-  std::vector<measure::DrawFrame> draws;
-  for (const auto& renderer : renderers) draws.push_back(measure::frames_of(*renderer));
-  const std::vector<measure::FrameTimes> times = measure::time_frames(draws, measure::FrameBudget::exactly(frames));
+  const std::vector<measure::FrameTimes> times = measure::time_frames(renderers, measure::FrameBudget::exactly(frames));
   std::vector<double> ratios;
   for (const measure::FrameTimes& each : times) ratios.push_back(each.median() / times.front().median());
   return ratios;

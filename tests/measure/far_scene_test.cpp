@@ -86,8 +86,7 @@ Picture draw(const Scene& scene, const Fog& fog, const RenderSettings& settings)
 /// Expects that two pictures look the same: no more than a sample of a few pixels on an outline falls on its other
 /// side.
 void expect_alike(const Picture& drawn, const Picture& expected, const std::string& what) {
-  const PictureError error =
-      picture_error(drawn, {expected, expected, expected, std::vector<std::uint8_t>(drawn.rgb.size() / 3)});
+  const PictureError error = picture_error(drawn, expected);
   const auto seen = std::ranges::count_if(error.pixels, [](float steps) { return !(steps <= 1); });
   std::printf("%-60s largest %.3f, mean %.5f, %td pixels beyond a step\n", what.c_str(), error.largest, error.mean,
               seen);

@@ -59,14 +59,6 @@ std::vector<std::unique_ptr<render::Renderer>> make_renderers(const scene::Scene
   return renderers;
 }
 
-/// The times of every path, in the paths' order.
-std::vector<measure::FrameTimes> time_paths(const std::vector<std::unique_ptr<render::Renderer>>& renderers, int frames,
-                                            const measure::Progress& progress) {
-  std::vector<measure::DrawFrame> draws;
-  for (const auto& renderer : renderers) draws.push_back(measure::frames_of(*renderer));
-  return measure::time_frames(draws, measure::FrameBudget::exactly(frames), progress);
-}
-
 /// The display of each path's picture. Chooses an automatic exposure by the first path's picture and sets it in all
 /// renderers.
 std::vector<drawing::Display> set_exposures(const std::vector<std::unique_ptr<render::Renderer>>& renderers,
@@ -130,7 +122,8 @@ SceneResult compare_scene(const scene::Scene& scene, drawing::PictureFolder& pic
   if (const std::string words = drawing::display_in_words(displays.front()); !words.empty())
     result.conditions += ", " + words;
   pictures.finish();  // encoding in the background would slow the frames
-  const std::vector<measure::FrameTimes> times = time_paths(renderers, frames, progress);
+  const std::vector<measure::FrameTimes> times =
+      measure::time_frames(renderers, measure::FrameBudget::exactly(frames), progress);
   const auto paths = render::lighting_paths();
   const auto legacy = std::size_t(render::find_lighting_path("legacy") - paths.data());
   Sheet sheet;

@@ -162,22 +162,13 @@ std::vector<SettingRenderer> make_renderers(const std::vector<Setting>& settings
   return renderers;
 }
 
-/// The difference of two displayed pictures.
-measure::PictureError difference(const render::Picture& one, const render::Picture& other) {
-  return measure::picture_error(
-      other, {.picture = one,
-              .least = one,
-              .most = one,
-              .is_at_jump = std::vector<std::uint8_t>(std::size_t(one.width) * std::size_t(one.height))});
-}
-
 /// Compares each picture with each later one, the pairs of the first picture first.
 std::vector<PairResult> compare_pairs(const std::vector<render::Picture>& pictures, const measure::Progress& progress) {
   std::vector<PairResult> pairs;
   for (std::size_t i = 0; i < pictures.size(); ++i) {
     for (std::size_t k = i + 1; k < pictures.size(); ++k) {
       progress(fmt::format("comparing {} and {}", i + 1, k + 1));
-      const measure::PictureError error = difference(pictures[i], pictures[k]);
+      const measure::PictureError error = measure::picture_error(pictures[k], pictures[i]);
       pairs.push_back({.first = i,
                        .second = k,
                        .largest = error.largest,
