@@ -32,7 +32,7 @@ struct FarAirlightList {
   std::vector<std::int32_t> lights;  ///< indices i in SceneLights; -1 - i: what it scatters once is not wanted
   std::vector<Range> ranges;
   double visible_step = 0;  ///< of the display, linear (hidden_range.h)
-  double depth = 0;  ///< metres from the eye, beyond which nothing visible is added; at most kSkyDistance
+  double depth = 0;         ///< metres from the eye, beyond which nothing visible is added; at most kSkyDistance
 
   /// Where a section begins without layers, and where the last one ends: metres from the eye. Sections grow with the
   /// distance. In layers all sections have all lights.

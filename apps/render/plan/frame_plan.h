@@ -33,8 +33,8 @@ struct PlannedSurface {
 /// What a frame draws.
 struct FramePlan {
   std::vector<PlannedSurface> surfaces;
-  /// Instances of SceneLights: the carried lights, then the lights whose points are drawn, with the bits of their source
-  /// radii behind them, then each surface's lights.
+  /// Instances of SceneLights: the carried lights, then the lights whose points are drawn, with the bits of their
+  /// source radii behind them, then each surface's lights.
   std::vector<std::int32_t> light_list;
   int point_first = 0;
   int point_count = 0;

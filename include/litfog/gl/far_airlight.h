@@ -25,14 +25,17 @@ namespace litfog::gl {
 /// threads  like GlName
 class FarAirlight {
  public:
+  /// After: the grid is bound to the active texture unit.
+  ///
   /// grid    number of rays across and up, each in [2, 512]
   /// throws  std::invalid_argument naming field, value and rule; Unsupported if the driver cannot draw into floats
   explicit FarAirlight(glm::ivec2 grid = {32, 18});
 
-  /// Draws the grid. Before: face culling and the scissor test are off. After: the tables are bound to texture units 14
-  /// and 15 and a uniform buffer to binding point 35, which every OpenGL 3.3 has; unit 15 is active; blending is off,
-  /// with other functions; program, framebuffer, vertex array and viewport are unchanged. Compiles a program when it
-  /// first meets a combination of fog mode, number of knots and isotropic or other phase function.
+  /// Draws the grid. Before: face culling and the scissor test are off, and all colours may be written. After: the
+  /// tables are bound to texture units 14 and 15 and a uniform buffer to binding point 35, which every OpenGL 3.3 has;
+  /// unit 15 is active; blending is off, with other functions; program, framebuffer, vertex array and viewport are
+  /// unchanged. Compiles a program when it first meets a combination of fog mode, number of knots and isotropic or
+  /// other phase function.
   ///
   /// lights  number of lights, from the first of the tables; their density scales are at least 1, so that fog hides far
   ///         ones

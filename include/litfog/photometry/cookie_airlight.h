@@ -36,8 +36,8 @@ double reference_airlight(const PlacedLight& light, const Cookie& cookie, const 
 double picture_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
                         const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
 
-/// Largest relative error of beam_moments() for smooth beams that span six texels and more: of the flux, and of its mean
-/// cosine's difference from 1.
+/// Largest relative error of beam_moments() for smooth beams that span six texels and more: of the flux, and of its
+/// mean cosine's difference from 1.
 inline constexpr double kCookieMomentMaxError = 2e-3;
 
 /// Moments of a cookie about the light's axis (scattered_beam.h), by a sum over its texels.
