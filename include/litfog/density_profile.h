@@ -79,12 +79,13 @@ DensityProfile make_density_profile(std::span<const FogLayer> layers, double con
 double profile_density_at(const DensityProfile& profile, double height);
 
 /// Largest relative error of mean_density and optical_depth for densities that are 0 or at least 1e-250.
-inline constexpr double kMeanDensityMaxError = 1e-15;
+inline constexpr double kMeanDensityMaxError = 2e-15;
 
 /// Mean density between two heights, in either order, along any straight line from one to the other. At equal heights
 /// it is the density there, which is also the limit.
 ///
-/// height_a, height_b  metres, finite
+/// height_a, height_b  metres, finite; those less than 1e-30 apart count as equal. The rise from one to the other, and
+///                     that times the largest density, at most 1e300
 /// max error           kMeanDensityMaxError relative                               (density_profile_test.cpp)
 double mean_density(const DensityProfile& profile, double height_a, double height_b);
 

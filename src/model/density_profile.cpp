@@ -78,7 +78,7 @@ std::optional<ValueError> find_error(const DensityProfile& profile) {
     if (i > 0 && !(height > profile.knots[i - 1].height)) {
       return ValueError{kKnotNames[i].height, height, "must be above the knot before"};
     }
-    // No mean over all heights leaves the range of doubles.
+    // Sums of as many densities stay within the range of doubles.
     if (!is_within(density, 0, 1e300)) return ValueError{kKnotNames[i].density, density, "must be in [0, 1e300]"};
   }
   return std::nullopt;
@@ -110,6 +110,7 @@ std::optional<ValueError> find_error(const FogLayer& layer) {
 }
 
 DensityProfile make_density_profile(std::span<const FogLayer> layers, double contrast) {
+  Fog::from_visibility(FogMode::exp, 1, contrast);  // refuses a contrast even where there are no layers
   std::vector<LayerRamps> ramps;
   std::vector<double> heights;
   for (const FogLayer& layer : layers) {

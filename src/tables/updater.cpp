@@ -516,6 +516,7 @@ double FogUpdater::Store::reach_of_kind(std::size_t kind, const Atmosphere& atmo
 
 void FogUpdater::Store::bound_lights(LightClusters& clusters, const Atmosphere& atmosphere, double step,
                                      LampLeg lamp_leg) const {
+  reach_budget(step, light_count_, 0, atmosphere);  // refuses the arguments even where there are no kinds
   std::vector<double> reaches;
   for (std::size_t i = 0; i < kinds_.size(); ++i) reaches.push_back(reach_of_kind(i, atmosphere, step, lamp_leg));
   clusters.resize(instances_.size());

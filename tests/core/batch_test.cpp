@@ -164,6 +164,27 @@ TEST_F(Batch, LightBarelyAboveItsThresholdIsNotDark) {
   });
 }
 
+// Their extent is the correction alone, which is rounded as often as a range is.
+TEST_F(Batch, ExtentOfALightBarelyAboveAThresholdNextToOneIsWithinItsBound) {
+  constexpr double kStep = std::numeric_limits<float>::epsilon();
+  Columns<float> columns;
+  Random random(kSeed);
+  while (columns.size() < 20'001) {
+    const double constant = 1 + kStep * (1 + random.below(4)), threshold = 1 - kStep / 2 * (1 + random.below(9));
+    if (constant * threshold >= 1) continue;
+    columns.add(constant, random.log_uniform(1e-8, 1), random.log_uniform(1e-6, 1), threshold, 1);
+  }
+  on_every_target([&] {
+    WorstError error("batch extent", "barely above a threshold next to 1", kBatchExtentMaxUlp<float>);
+    columns.solve(FogMode::exp);
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      error.add(ulp_error(columns.extent[i], columns.scalar(FogMode::exp, i).extent),
+                [&] { return columns.describe(i); });
+    }
+    error.check();
+  });
+}
+
 /// Lights whose constant is 1 but for a rounding, and lights that end next to their knee. Their stationary points are
 /// near the knee.
 template <typename T>
@@ -172,7 +193,8 @@ Columns<T> lights_next_to_one() {
   Random random(kSeed);
   while (columns.size() < 20'001) {
     const bool ends_at_knee = random.chance(0.5);
-    const double constant = ends_at_knee ? 0.5 : 1 - double(1 + random.below(8)) * double(std::numeric_limits<T>::epsilon()) / 2;
+    const double constant =
+        ends_at_knee ? 0.5 : 1 - double(1 + random.below(8)) * double(std::numeric_limits<T>::epsilon()) / 2;
     const double threshold = ends_at_knee ? 1 - random.log_uniform(1e-7, 0.1) : 0.05;
     const double linear = random.chance(0.2) ? 0 : random.log_uniform(1e-6, 1);
     const double quadratic = linear > 0 && random.chance(0.5) ? 0 : random.log_uniform(1e-9, 1);

@@ -292,6 +292,7 @@ TEST(DensityProfile, WrongLayersAreErrorsThatNameTheMember) {
                                     {.base = 10, .top = 11, .transition = 1, .visibility = 1},
                                     {.base = 20, .top = 21, .transition = 1, .visibility = 1}};
   EXPECT_EQ(error_of([&] { make_density_profile(three); }), "profile.count = 12: must be at most 8");
+  EXPECT_EQ(error_of([] { make_density_profile(std::vector<FogLayer>{}, 1); }), "contrast = 1: must be in (0, 1)");
 }
 
 TEST(DensityProfile, LayersWithinTheirLimitsAreKnotsWithinTheirs) {

@@ -626,8 +626,11 @@ TEST(FogUpdater, BoundsAreThoseOfEachLightAndFollowTheFog) {
     EXPECT_GT(clusters.light_list().size(), 0u);
   }
   const Atmosphere air;
+  FogUpdater empty;
   EXPECT_EQ(error_of([&] { (void)updater.reach_of_kind(2, air); }), "kind = 2: must be below the number of kinds");
-  EXPECT_EQ(error_of([&] { updater.bound_lights(clusters, air, 0); }), "step = 0: must be finite and > 0");
+  for (const FogUpdater& any : {std::ref(updater), std::ref(empty)}) {
+    EXPECT_EQ(error_of([&] { any.bound_lights(clusters, air, 0); }), "step = 0: must be finite and > 0");
+  }
   updater.switch_light(handles[0], false);
   EXPECT_EQ(updater.reach_of_kind(updater.kind_of(handles[0]), air), 0);
 }
