@@ -976,26 +976,6 @@ TEST(Airlight, ErrorOfTheFastFormHasNoSeams) {
   }
 }
 
-TEST(Airlight, AirlightOfWildInputIsFiniteAndNotNegative) {
-  Random random(70);
-  for (int i = 0; i < 20000; ++i) {
-    AirlightCase c = draw_spot_airlight_case(random, random.pick(kModes), random.pick(kLampLegs));
-    const auto draw = [&] { return random.chance(0.3) ? 0 : random.any_positive<double>(); };
-    Light& light = c.light.light;
-    light.attenuation = {draw(), draw(), random.any_positive<double>()};
-    light.threshold = std::min(random.any_positive<double>(), 0.99);
-    c.atmosphere.fog.density = draw();
-    if (random.chance(0.5)) c.ray.length = draw();
-    if (random.chance(0.3)) c.light.position = c.ray.origin;
-    if (random.chance(0.5)) c.atmosphere.phase = draw_phase(random);
-    const double value = airlight_of(c);
-    ASSERT_TRUE(value >= 0 && std::isfinite(value)) << value << ": " << to_string(c);
-    if (i % 100 != 0) continue;
-    const double reference = reference_of(c);
-    ASSERT_TRUE(reference >= 0 && std::isfinite(reference)) << reference << ": " << to_string(c);
-  }
-}
-
 TEST(Airlight, LightSeesTheFogThroughItsDensityScale) {
   Random random(75);
   for (int i = 0; i < 50; ++i) {

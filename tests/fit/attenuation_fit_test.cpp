@@ -250,23 +250,6 @@ TEST(AttenuationFit, EveryExtentIsMetExactly) {
   error.check();
 }
 
-TEST(AttenuationFit, EveryTargetThatIsAcceptedIsFitted) {
-  Random random(13);
-  WorstError error("extent", "accepted targets of all magnitudes", 1e-12, "relative");
-  for (int i = 0; i < scaled_count(400); ++i) {
-    const AttenuationTarget target = draw_attenuation_target(random);
-    if (find_error(target)) continue;
-    const AttenuationFit fit = fit_attenuation(target);
-    EXPECT_FALSE(find_error(fit.attenuation)) << describe(target);
-    EXPECT_TRUE(std::isfinite(fit.objective) && fit.objective >= 0) << describe(target);
-    EXPECT_NE(fit.sentence, "") << describe(target);
-    if (!target.extent) continue;
-    error.add(std::abs(compute_extent(fit.attenuation, target.threshold) / *target.extent - 1),
-              [&] { return describe(target); });
-  }
-  error.check();
-}
-
 TEST(AttenuationFit, ExtentAloneHasItsClosedForms) {
   const auto fit = [](AttenuationFamily family, std::optional<double> constant) {
     return fit_attenuation({.threshold = 0.25, .extent = 6, .constant = constant, .family = family}).attenuation;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// litfog_fuzz                     names the targets, or without libFuzzer runs the seeds of all
+// litfog_fuzz                     names the targets, or without libFuzzer runs the seeds of all, whole and damaged
 // litfog_fuzz TARGET              without libFuzzer, runs its seeds
 // litfog_fuzz TARGET FILE...      runs files
 // litfog_fuzz TARGET FOLDER ...   libFuzzer's search from the target's seeds, its finds kept in the folder
@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "fuzz/fuzz_target.h"
+#include "reference/random_light.h"
 
 namespace litfog::test {
 namespace {
@@ -64,19 +65,48 @@ void change_arguments(int& count, char**& arguments) {
 
 #else
 
-void run_file(const FuzzTarget& target, const std::filesystem::path& path) {
+std::string text_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  target.run(std::string{std::istreambuf_iterator<char>(file), {}});
+  return std::string{std::istreambuf_iterator<char>(file), {}};
+}
+
+/// Bytes changed at one to four places: another byte, dropped, doubled, or a word at which readers stumble; and some of
+/// them cut.
+std::string damaged(std::string bytes, Random& random) {
+  static const std::vector<std::string> words{"-1",   "2147483648", "4294967297", "1e999", "1e-999", "nan", "inf",
+                                              "0x10", "",           "-0.",        "\xFF",  "\r",     "\n",  ",",
+                                              "-",    "+",          "1e30",       "TILT=", "{",      "]",   "\""};
+  for (int left = 1 + random.below(4); left > 0 && !bytes.empty(); --left) {
+    const auto at = std::size_t(random.below(int(bytes.size()))), length = std::size_t(random.below(4));
+    if (random.chance(0.3)) {
+      bytes[at] = char(random.below(256));
+    } else if (random.chance(0.3)) {
+      bytes.erase(at, length);
+    } else if (random.chance(0.3)) {
+      bytes.insert(at, bytes.substr(at, length));
+    } else {
+      bytes.replace(at, length, random.pick(words));
+    }
+  }
+  if (random.chance(0.1)) bytes.resize(std::size_t(random.below(int(bytes.size()) + 1)));
+  return bytes;
 }
 
 void run_seeds(const FuzzTarget& target) {
+  constexpr int kDamages = 500;  // of each seed
   std::printf("%s\n", target.name);
   std::fflush(stdout);
+  std::vector<std::string> seeds = target.seeds();
   for (const std::string& folder : target.folders) {
-    for (const auto& entry : std::filesystem::directory_iterator(folder)) run_file(target, entry.path());
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) seeds.push_back(text_of(entry.path()));
   }
-  for (const std::string& seed : target.seeds()) target.run(seed);
   target.run({});
+  Random random(1);
+  for (const std::string& seed : seeds) {
+    target.run(seed);
+    const bool is_random = target.seeds == random_seeds;
+    for (int i = 0; i < kDamages && !is_random; ++i) target.run(damaged(seed, random));
+  }
 }
 
 #endif
@@ -106,7 +136,7 @@ int main(int count, char** arguments) {
   }
   const FuzzTarget& target = start(arguments[1]);
   if (count == 2) run_seeds(target);
-  for (int i = 2; i < count; ++i) run_file(target, arguments[i]);
+  for (int i = 2; i < count; ++i) target.run(text_of(arguments[i]));
 }
 
 #endif

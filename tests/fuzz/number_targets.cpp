@@ -131,6 +131,10 @@ void expect_finite_airlight(Random& random) {
   const double most = largest_phase(c.atmosphere.phase) * (1 + 1e-9);
   const double value = airlight_of(c);
   EXPECT_TRUE(value >= 0 && value <= most && std::isfinite(value)) << value << ": " << to_string(c);
+  if (random.chance(0.01)) {
+    const double reference = reference_of(c);
+    EXPECT_TRUE(reference >= 0 && std::isfinite(reference)) << reference << ": " << to_string(c);
+  }
   const double bound = bound_airlight(c.light, c.atmosphere, c.ray.origin, c.ray.direction, 1e-12, c.lamp_leg);
   EXPECT_TRUE(bound >= 0 && !std::isnan(bound)) << bound << ": " << to_string(c);
   const double reach = light_reach(light, c.atmosphere.thinnest_fog(), 0.01, c.lamp_leg);

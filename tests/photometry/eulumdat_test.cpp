@@ -221,14 +221,5 @@ TEST(Eulumdat, MissingPlaneIsAnError) {
             "43:1: C plane 1 of 1: must be given, but the file ends here");
 }
 
-TEST(Eulumdat, EveryMutationIsReadOrAnError) {
-  std::uint64_t seed = 1;
-  for (const auto& entry : std::filesystem::directory_iterator(LITFOG_PHOTOMETRY_DIR)) {
-    if (entry.path().extension() != ".ldt") continue;
-    SCOPED_TRACE(entry.path().string());
-    expect_mutations_read_or_fail(bytes_of(entry.path()), 2000, ++seed, parsed_eulumdat);
-  }
-}
-
 }  // namespace
 }  // namespace litfog::test

@@ -182,25 +182,6 @@ TEST_F(Gldf, ErrorsNameTheFileInTheContainer) {
             "/ldc/spot.ldt:2:1: type indicator Ityp = b: must be a finite number");
 }
 
-TEST_F(Gldf, BrokenArchiveIsAnError) {
-  write({{"product.xml", product(file_element("ldc/eulumdat", "localFileName", "spot.ldt"))}, {"ldc/spot.ldt", kSpot}});
-  const std::string sound = bytes_of(path());
-  Random random(7);
-  for (int i = 0; i < 500; ++i) {
-    std::string bytes = sound;
-    for (int left = 1 + int(random.uniform(0, 4)); left > 0; --left) {
-      bytes[4 + std::size_t(random.uniform(0, double(bytes.size() - 4)))] = char(random.below(256));
-    }
-    if (random.chance(0.3)) bytes.resize(4 + std::size_t(random.uniform(0, double(bytes.size() - 4))));
-    std::ofstream(path(), std::ios::binary) << bytes;
-    try {
-      EXPECT_FALSE(find_error(read_luminaire(path()).distribution));
-    } catch (const InputError& error) {
-      EXPECT_NE(std::string(error.what()).find(": must "), std::string::npos) << error.what();
-    }
-  }
-}
-
 TEST_F(Gldf, FileThatIsPackedInAnotherWayIsAnError) {
   write({{"product.xml", "<Root/>"}});
   std::string bytes = bytes_of(path());

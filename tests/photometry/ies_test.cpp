@@ -516,16 +516,6 @@ TEST(Ies, HostileTextTakesLinearTime) {
   EXPECT_EQ(ies_error(zeros), "2:37: vertical angle 2 of 10000 = 0: must be greater than the one before, 0");
 }
 
-TEST(Ies, EveryMutationIsReadOrAnError) {
-  std::uint64_t seed = 1;
-  for (const auto& entry : std::filesystem::directory_iterator(LITFOG_PHOTOMETRY_DIR)) {
-    if (entry.path().extension() != ".ies") continue;
-    SCOPED_TRACE(entry.path().string());
-    expect_mutations_read_or_fail(bytes_of(entry.path()), 2000, ++seed,
-                                  [&](const std::string& text) { return parse_ies(text, entry.path().string()); });
-  }
-}
-
 // --- luminaires ---
 
 class LuminaireFile : public testing::Test {

@@ -55,34 +55,6 @@ void expect_read_or_fail(const std::string& text, const Parse& parse) {
   }
 }
 
-/// Every truncation, and thousands of random edits of one to four bytes: changed, dropped, doubled or made a token that
-/// parsers trip over.
-template <typename Parse>
-void expect_mutations_read_or_fail(const std::string& text, int edits, std::uint64_t seed, const Parse& parse) {
-  for (std::size_t size = 0; size < text.size(); ++size) expect_read_or_fail(text.substr(0, size), parse);
-  Random random(seed);
-  const std::vector<std::string> tokens{"-1",  "2147483648", "4294967297", "1e999", "1e-999", "nan",
-                                        "inf", "0x10",       "",           "-0.",   "\xFF",   "\r",
-                                        "\n",  ",",          "-",          "+",     "1e30",   "TILT="};
-  for (int i = 0; i < edits; ++i) {
-    std::string mutated = text;
-    for (int left = 1 + int(random.uniform(0, 4)); left > 0 && !mutated.empty(); --left) {
-      const auto at = std::size_t(random.uniform(0, double(mutated.size())));
-      const auto length = std::size_t(random.uniform(0, 4));
-      if (random.chance(0.3)) {
-        mutated[at] = char(random.below(256));
-      } else if (random.chance(0.3)) {
-        mutated.erase(at, length);
-      } else if (random.chance(0.3)) {
-        mutated.insert(at, mutated.substr(at, length));
-      } else {
-        mutated.replace(at, length, random.pick(tokens));
-      }
-    }
-    expect_read_or_fail(mutated, parse);
-  }
-}
-
 /// Both shine alike in every direction.
 inline void expect_same_beam(const Luminaire& a, const Luminaire& b) {
   Random random(17);

@@ -248,13 +248,5 @@ TEST(Tm33, BadIntensitiesAreAnErrorAtTheirLocation) {
             "from 90 to 270, from -90 to 90, or from -180 to 180");
 }
 
-TEST(Tm33, EveryMutationIsReadOrAnError) {
-  Tm33Text accented;
-  accented.header = "<Header><Manufacturer>L\xC3\xA4mpe \xE2\x82\xAC</Manufacturer></Header>\n";
-  for (const std::string& text : {Tm33Text().str(), accented.str()}) {
-    expect_mutations_read_or_fail(text, 4000, 5, parsed_tm33);
-  }
-}
-
 }  // namespace
 }  // namespace litfog::test
