@@ -2,7 +2,6 @@
 #include "command/table.h"
 
 #include <fmt/format.h>
-#include <utf8.h>
 
 #include <algorithm>
 #include <cassert>
@@ -12,6 +11,7 @@
 
 #include "command/printable.h"
 #include "files/json_text.h"
+#include "text/code_points.h"
 #include "text/csv.h"
 
 namespace litfog::command {
@@ -47,9 +47,6 @@ std::string json_cell(const Cell& cell) {
   return std::isfinite(number) ? fmt::format("{}", number) : fmt::format("\"{}\"", number);
 }
 
-/// Width in code points, which a terminal aligns.
-std::size_t width_of(const std::string& printed) { return std::size_t(utf8::distance(printed.begin(), printed.end())); }
-
 std::string format_text(const Table& table) {
   std::vector<std::vector<std::string>> lines{table.columns};
   for (const auto& row : table.rows) {
@@ -58,11 +55,11 @@ std::string format_text(const Table& table) {
   std::string out;
   std::vector<std::size_t> widths(table.columns.size());
   for (const auto& line : lines) {
-    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], width_of(line[i]));
+    for (std::size_t i = 0; i < line.size(); ++i) widths[i] = std::max(widths[i], count_code_points(line[i]));
   }
   for (const auto& line : lines) {
     for (std::size_t i = 0; i < line.size(); ++i) {
-      const std::string padding(widths[i] - width_of(line[i]), ' ');
+      const std::string padding(widths[i] - count_code_points(line[i]), ' ');
       const bool align_right = !table.rows.empty() && is_number(table.rows.front()[i]);
       const bool is_last = i + 1 == line.size();
       out += align_right ? padding + line[i] : is_last ? line[i] : line[i] + padding;

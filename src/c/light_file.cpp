@@ -5,7 +5,7 @@
 
 #include "c/call.h"
 #include "c/convert.h"
-#include "text/code_points.h"
+#include "files/json_text.h"
 
 using namespace litfog;
 
@@ -17,10 +17,6 @@ litfog_status litfog_read_light(const char* path, litfog_light* light, char* nam
     const Light read = read_light(path);
     *light = c::light_of(read);
     if (name_size == 0) return;
-    std::size_t length = std::min(read.name.size(), name_size - 1);
-    if (length < read.name.size()) {
-      while (length > 0 && !starts_code_point(read.name[length])) --length;
-    }
-    *std::copy_n(read.name.data(), length, name) = '\0';
+    *std::ranges::copy(files::start_of(read.name, name_size - 1), name).out = '\0';
   });
 }

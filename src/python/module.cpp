@@ -848,17 +848,12 @@ void bind_solve(py::module_& m) {
       "What became of a light of a batch: the values of a column of status. ok: solved to the stated error;\n"
       "not_converged: as SolveStatus.not_converged; invalid: an argument breaks its rule, and intensity, peak range\n"
       "and extent are 0.";
-  py::class_<FogIntensity> solved(m, "FogIntensity", "Fog colour intensity of a light and where it is taken.");
-  solved
-      .def(py::init([](double intensity, double peak_range, double extent, SolveStatus status) {
-             return FogIntensity{intensity, peak_range, extent, status};
-           }),
-           py::arg("intensity"), py::arg("peak_range"), py::arg("extent"), py::arg("status"))
-      .def_readonly("intensity", &FogIntensity::intensity, "[0, 1]")
-      .def_readonly("peak_range", &FogIntensity::peak_range, "metres, [0, extent]; may be infinity")
-      .def_readonly("extent", &FogIntensity::extent, "metres")
-      .def_readonly("status", &FogIntensity::status, "SolveStatus");
-  make_record(solved, {"intensity", "peak_range", "extent", "status"});
+  bind_record<FogIntensity>(
+      m, "FogIntensity", "Fog colour intensity of a light and where it is taken.",
+      field<true>("intensity", &FogIntensity::intensity, "[0, 1]"),
+      field<true>("peak_range", &FogIntensity::peak_range, "metres, [0, extent]; may be infinity"),
+      field<true>("extent", &FogIntensity::extent, "metres"),
+      field<true>("status", &FogIntensity::status, "SolveStatus"));
 
   const char* solve_doc =
       "Fog colour intensity of a light: the supremum over [0, extent] of opacity(r) * attenuation(r), to 2 ulp.\n"

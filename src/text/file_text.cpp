@@ -64,9 +64,13 @@ std::pair<std::string, bool> read(const std::string& path, std::size_t max_bytes
 
 std::FILE* open_file(const std::string& path) {
   const int opened = open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
-  std::FILE* const file = opened < 0 ? nullptr : fdopen(opened, "rb");
   struct stat status {};
-  if (!file || fstat(opened, &status) != 0) fail(path, system_reason(errno));
+  std::FILE* const file = opened >= 0 && fstat(opened, &status) == 0 ? fdopen(opened, "rb") : nullptr;
+  if (!file) {
+    const int error = errno;
+    if (opened >= 0) close(opened);
+    fail(path, system_reason(error));
+  }
   std::optional<char> byte;
   if (S_ISFIFO(status.st_mode) && !has_writer(opened, byte)) {
     std::fclose(file);
