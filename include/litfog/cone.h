@@ -117,7 +117,7 @@ double dim_angle(const Cone& cone);
 /// Largest errors of cone_at: for a cosine cone in ulp; for a smoothstep cone the absolute error times the width of its
 /// edge, cos inner - cos outer, because a narrow edge magnifies the rounding of the cosines.
 inline constexpr double kCosineConeMaxUlp = 1;
-inline constexpr double kSmoothstepConeMaxErrorTimesWidth = 6e-16;
+inline constexpr double kSmoothstepConeMaxErrorTimesWidth = 8e-16;
 
 /// Fraction of the axial intensity that a cone sends into a direction.
 ///

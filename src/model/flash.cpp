@@ -51,6 +51,9 @@ std::optional<ValueError> find_error(const Flash& flash) {
     if (!is_within(end, 0, flash.period)) {
       return ValueError{kFields[i].duration, single.duration, "must end within the period"};
     }
+    if (!(end > single.start)) {
+      return ValueError{kFields[i].duration, single.duration, "must be longer than a rounding of the start"};
+    }
     if (!(single.intensity > 0 && single.intensity <= kMaxFlashIntensity)) {
       return ValueError{kFields[i].intensity, single.intensity, "must be in (0, 1e6]"};
     }

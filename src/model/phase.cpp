@@ -10,21 +10,21 @@
 namespace litfog {
 namespace {
 
-constexpr double kFirst[] = {2.20679, 3.91029, 0.428934};  // of the first lobe's asymmetry
+constexpr double kAlpha[] = {3.62489, 8.29288, 5.52825};  // of the first lobe's alpha, which varies most
 
 }  // namespace
 
 Phase Phase::droplets(double micrometres) {
   const double d = micrometres;
   if (!(d >= kSmallestDroplets && d <= kLargestDroplets)) require(ValueError{"micrometres", d, "must be in [5, 50]"});
-  return {.first = {.asymmetry = std::exp(-kFirst[0] / (d + kFirst[1]) - kFirst[2]),
-                    .alpha = std::exp(3.62489 - 8.29288 / (d + 5.52825))},
+  return {.first = {.asymmetry = std::exp(-2.20679 / (d + 3.91029) - 0.428934),
+                    .alpha = std::exp(kAlpha[0] - kAlpha[1] / (d + kAlpha[2]))},
           .second = {.asymmetry = std::exp(-0.0990567 / (d - 1.67154))},
           .weight = std::exp(-0.599085 / (d - 0.641583) - 0.665888)};
 }
 
 std::optional<double> droplet_diameter(const Phase& phase) {
-  const double d = kFirst[0] / (-std::log(phase.first.asymmetry) - kFirst[2]) - kFirst[1];
+  const double d = kAlpha[1] / (kAlpha[0] - std::log(phase.first.alpha)) - kAlpha[2];
   if (!(d > kSmallestDroplets - 1 && d < kLargestDroplets + 1)) return std::nullopt;
   const double diameter = std::clamp(d, kSmallestDroplets, kLargestDroplets);
   const Phase found = Phase::droplets(diameter);

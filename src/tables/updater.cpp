@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/vec3.hpp>
 #include <limits>
@@ -452,7 +453,8 @@ void FogUpdater::Store::set_flash(std::uint32_t slot, const Flash& flash) {
 /// Writes a light's colour at the time.
 void FogUpdater::Store::write_color(std::uint32_t slot) {
   const Record& record = records_[slot];
-  instances_[slot].color = glm::vec4(record.is_on ? record.flash_factor * record.color : glm::vec3{0}, 0);
+  const glm::vec3 color = record.is_on ? record.flash_factor * record.color : glm::vec3{0};
+  instances_[slot].color = glm::vec4(glm::min(color, std::numeric_limits<float>::max()), 0);
   mark(slot);
 }
 
@@ -463,7 +465,7 @@ void FogUpdater::Store::show(std::uint32_t slot) {
   write_color(slot);
   if (record.brightness > 0) --kind.lit_count;
   const float largest = record.flashing == kSteady ? 1 : float(largest_flash(flashing_[record.flashing].flash));
-  record.brightness = record.is_on ? largest * brightness_of(record.color) : 0;
+  record.brightness = record.is_on ? rounded(double(largest) * double(brightness_of(record.color))) : 0;
   if (record.brightness > 0) ++kind.lit_count;
   kind.has_changed = true;
   sift(kind, record.heap_index);

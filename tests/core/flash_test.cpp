@@ -81,6 +81,8 @@ TEST(Flash, PatternThatNoLampHasIsAnError) {
   EXPECT_EQ(rule_broken_by({1, 1, {{{-0.1, 0.2}}}}), "flash.flashes[0].start = -0.1" + order);
   EXPECT_EQ(error_with(&SingleFlash::duration, 0), "flash.flashes[1].duration = 0: must be > 0");
   EXPECT_EQ(error_with(&SingleFlash::duration, kNan), "flash.flashes[1].duration = nan: must be > 0");
+  EXPECT_EQ(rule_broken_by({3600, 1, {{{3000, 1e-13}}}}),
+            "flash.flashes[0].duration = 1e-13: must be longer than a rounding of the start");
   EXPECT_EQ(error_with(&SingleFlash::duration, 1.8), "flash.flashes[1].duration = 1.8: must end within the period");
   EXPECT_EQ(error_with(&SingleFlash::start, kInfinity), "flash.flashes[1].duration = 0.25: must end within the period");
   for (const double intensity : {0.0, -1.0, 1.1e6, kNan, kInfinity}) {

@@ -93,7 +93,12 @@ TEST(Phase, DropletsHaveTheirDiameter) {
     EXPECT_LE(relative_error(*droplet_diameter(phase), diameter), 1e-10);
     for (double* const parameter :
          {&phase.first.asymmetry, &phase.first.alpha, &phase.second.asymmetry, &phase.weight}) {
-      const double kept = std::exchange(*parameter, *parameter * (1 - 1e-4));
+      const double kept = *parameter;
+      for (const double error : {-5e-7, 5e-7}) {
+        *parameter = kept * (1 + error);
+        EXPECT_TRUE(droplet_diameter(phase)) << diameter;
+      }
+      *parameter = kept * (1 - 1e-4);
       EXPECT_FALSE(droplet_diameter(phase)) << diameter;
       *parameter = kept;
     }

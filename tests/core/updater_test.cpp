@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <limits>
 #include <new>
 #include <string>
 #include <thread>
@@ -626,6 +627,11 @@ TEST(FogUpdater, BoundsAreThoseOfEachLightAndFollowTheFog) {
     EXPECT_GT(clusters.light_list().size(), 0u);
   }
   const Atmosphere air;
+  flashing.light.color = {1e34, 1, 1};
+  flashing.light.flash.flashes[0] = {.start = 0, .duration = 1, .intensity = 1e6};  // more than floats hold
+  updater.change(handles[4], flashing);
+  updater.bound_lights(clusters, air, 0.01);
+  EXPECT_EQ(updater.instances()[4].color.x, std::numeric_limits<float>::max());
   FogUpdater empty;
   EXPECT_EQ(error_of([&] { (void)updater.reach_of_kind(2, air); }), "kind = 2: must be below the number of kinds");
   for (const FogUpdater& any : {std::ref(updater), std::ref(empty)}) {

@@ -70,8 +70,8 @@ struct ConeProfileFit {
   /// residuals are only rounding.
   double kkt_residual = 0;
   /// Covariance of fitted_parameters(), from the residuals' own variance; 0 for a parameter that is given or at a
-  /// bound, and beyond their number. Absent if the samples do not identify them (fit_cone) or leave no degrees of
-  /// freedom.
+  /// bound, and beyond their number; of a cosine cone, at the cut-off of the least objective. Absent if the samples do
+  /// not identify them (fit_cone) or leave no degrees of freedom.
   std::optional<std::array<std::array<double, 2>, 2>> covariance = std::nullopt;
   /// The objective is the same for every cut-off in (first, second], which the samples leave open. If the samples
   /// determine the cut-off, both are equal to it.

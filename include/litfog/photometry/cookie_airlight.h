@@ -23,7 +23,7 @@ double airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3
 
 /// Airlight with a cookie by adaptive quadrature, split wherever the ray passes from one texel to another.
 ///
-/// max error  kReferenceAirlightMaxError                                                   (cookie_airlight_test.cpp)
+/// max error  kReferenceAirlightMaxError, or 1e-16 of the airlight without the cookie      (cookie_airlight_test.cpp)
 /// throws     std::invalid_argument naming field, value and rule
 double reference_airlight(const PlacedLight& light, const Cookie& cookie, const glm::dmat3& cookie_from_world,
                           const Atmosphere& atmosphere, const EyeRay& ray, LampLeg lamp_leg = LampLeg::fogged);
