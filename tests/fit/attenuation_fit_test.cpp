@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/value_errors.h"
+#include "fit/falloff.h"
 #include "fit/random_target.h"
 #include "litfog/light.h"
 #include "reference/double_limits.h"
@@ -386,6 +387,37 @@ TEST(AttenuationFit, ResidualsAreOfLnAttenuationAndErrorsSignedFractionsOfIt) {
   EXPECT_GT(fit.iterations, 0u);
 }
 
+TEST(AttenuationFit, SentenceStatesTheErrors) {
+  // The best that does not rise is flat, at the root of 0.5 * 0.51: 0.995 % above the one, 0.985 % below the other.
+  EXPECT_EQ(fit_attenuation({.samples = {{1, 0.5}, {2, 0.51}}}).sentence,
+            "no better attenuation exists: off by 0.99 % (rms), by 0.995 % at one sample");
+  EXPECT_EQ(fit_attenuation({.samples = {{1, 0.5}, {2, 0.25}}}).sentence,
+            "no better attenuation exists: off by 0 % (rms), by 0 % at one sample");
+}
+
+TEST(AttenuationFit, KktResidualIsTheLargestSlopeThatNoBoundHolds) {
+  const Falloff falloff{.samples = {{0.5, 0.4L, 1}, {1, 0.9L, 0.5}, {2, 1.5L, 0.25}, {3, 2.5L, 1}}};
+  for (const Coefficients& q : {Coefficients{1, 0.5, 0.3},
+                                {1.5, 0.9, 0.6},
+                                {0.9, 0.2, 0.6},
+                                {1.1, 0, 0.3},
+                                {2, 0, 0.3},
+                                {0, 2.5, 0},
+                                {0, 3, 0}}) {
+    double worst = 0;
+    for (std::size_t j = 0; j < 3; ++j) {
+      Coefficients more = q, less = q;
+      more[j] += 1e-6;
+      less[j] -= 1e-6;
+      const double slope = (falloff.objective(more) - falloff.objective(less)) / 2e-6;
+      double scale = 0;
+      for (const auto& [x, y, weight] : falloff.samples) scale += 2 * weight * std::pow(x, j) / denominator(q, x);
+      worst = std::max(worst, (q[j] == 0 ? -slope : std::abs(slope)) / scale);
+    }
+    EXPECT_NEAR(kkt_residual(falloff, q), worst, 1e-8) << q[0] << ", " << q[1] << ", " << q[2];
+  }
+}
+
 TEST(AttenuationFit, FitNamesTheConstraintsThatHoldIt) {
   const auto active = [](const AttenuationTarget& target) {
     std::string names;
@@ -425,6 +457,36 @@ TEST(AttenuationFit, OutliersDoNotPullARobustFit) {
   EXPECT_GT(worst_plain, 5 * robust_error.worst());
 }
 
+TEST(AttenuationFit, LossScaleIsThatOfTheLargerResidualsAboutTheLeastAbsoluteOnes) {
+  for (const std::size_t count : {7u, 8u}) {
+    AttenuationTarget target{.extent = 100, .constant = 1, .is_robust = true};
+    for (std::size_t i = 1; i <= count; ++i) {
+      const double range = 10. * double(i), off = 0.02 * (double(i * i * 5 % 17) - 8);
+      target.samples.push_back({range, std::exp(off) / (1 + 0.02 * range + 0.0017 * range * range)});
+    }
+    double least = kInfinity;
+    std::vector<double> amounts;
+    for (double linear = 0; linear <= 0.19; linear += 1e-5) {  // L alone is free
+      std::vector<double> each;
+      double sum = 0;
+      for (const auto& [range, attenuation, weight] : target.samples) {
+        const double d = 1 + linear * range + (19 - 100 * linear) / 1e4 * range * range;
+        sum += each.emplace_back(std::abs(std::log(d * attenuation)));
+      }
+      if (sum < least) {
+        least = sum;
+        amounts = each;
+      }
+    }
+    std::sort(amounts.begin(), amounts.end());
+    const double median = count == 7 ? (amounts[3] + amounts[4]) / 2 : amounts[4];  // of all but the smallest
+    EXPECT_NEAR(fit_attenuation(target).loss_scale / (1.345 * 1.4826 * median), 1, 0.02) << count;
+  }
+  AttenuationTarget exact{.is_robust = true};
+  for (const double range : {1., 2., 4., 5., 8.}) exact.samples.push_back({range, 1 / (1 + range + range * range)});
+  EXPECT_EQ(fit_attenuation(exact).loss_scale, 1e-6);
+}
+
 TEST(AttenuationFit, CovarianceIsThatOfRepeatedTables) {
   Random random(11);
   const Attenuation light{1.5, 0.05, 0.003};
@@ -444,10 +506,70 @@ TEST(AttenuationFit, CovarianceIsThatOfRepeatedTables) {
   for (std::size_t j = 0; j < 9; ++j) EXPECT_NEAR(reported[j] / product[j], 1, 0.1) << j;
 }
 
+/// Derivative of the root of a robust loss of a residual z.
+double root_slope(double z, double scale) {
+  if (std::isinf(scale)) return 1;
+  const auto root = [scale](double x) { return std::sqrt(2 * (std::hypot(1, x / scale) - 1)) * scale; };
+  return (root(std::abs(z) * (1 + 1e-5)) - root(std::abs(z) * (1 - 1e-5))) / (2e-5 * std::abs(z));
+}
+
+TEST(AttenuationFit, CovarianceOfOneFreeCoefficientHasItsClosedForm) {
+  // With Q = (19 - 100 L) / 100^2, ln D changes by (r - r^2 / 100) / D a unit of L.
+  AttenuationTarget target{.extent = 100, .constant = 1};
+  for (int i = 1; i <= 8; ++i) {
+    const double range = 10 * i, d = 1 + 0.02 * range + 0.0017 * range * range;
+    target.samples.push_back({range, (i % 2 == 0 ? 1.1 : 0.95) / d, double(i)});
+  }
+  for (const bool is_robust : {false, true}) {
+    target.is_robust = is_robust;
+    const AttenuationFit fit = fit_attenuation(target);
+    EXPECT_GT(std::min(fit.attenuation.linear, fit.attenuation.quadratic), 0);
+    double slopes = 0;
+    for (std::size_t i = 0; i < 8; ++i) {
+      const auto& [range, attenuation, weight] = target.samples[i];
+      const double slope = (range - range * range / 100) * attenuation_at(fit.attenuation, range);
+      slopes += weight * std::pow(slope * root_slope(fit.residuals[i], fit.loss_scale), 2);
+    }
+    const double variance = fit.objective / 7 / slopes;
+    const std::array<double, 9> expected{0, 0, 0, 0, variance, -variance / 100, 0, -variance / 100, variance / 1e4};
+    ASSERT_TRUE(fit.covariance);
+    for (std::size_t j = 0; j < 9; ++j) EXPECT_NEAR((*fit.covariance)[j], expected[j], 1e-8 * std::abs(expected[j]));
+  }
+}
+
+TEST(AttenuationFit, CoefficientHeldAtZeroHasNoCovariance) {
+  AttenuationTarget target{.constant = 1};
+  double slopes = 0;
+  for (int i = 1; i <= 8; ++i) {  // with a slope below 0 at the lamp, which L = 0 does not have
+    const double range = 10 * i;
+    target.samples.push_back({range, 1 / (1 - 0.02 * range + 0.0022 * range * range + (i == 1 ? 0.1 : 0))});
+  }
+  const AttenuationFit fit = fit_attenuation(target);
+  EXPECT_EQ(fit.attenuation.linear, 0);
+  for (const auto& [range, attenuation, weight] : target.samples) {
+    slopes += std::pow(range * range * attenuation_at(fit.attenuation, range), 2);
+  }
+  const double variance = fit.objective / 7 / slopes;
+  ASSERT_TRUE(fit.covariance);
+  for (std::size_t j = 0; j < 8; ++j) EXPECT_EQ((*fit.covariance)[j], 0) << j;
+  EXPECT_NEAR((*fit.covariance)[8], variance, 1e-10 * variance);
+}
+
+TEST(AttenuationFit, ConstantAtItsLargestIsHeld) {
+  const AttenuationFit fit =
+      fit_attenuation({.extent = 100, .samples = {{20, 0.04998}, {40, 0.04997}, {60, 0.04999}, {80, 0.04996}}});
+  EXPECT_EQ(fit.status, AttenuationFitStatus::optimal);
+  EXPECT_NEAR(fit.attenuation.constant, (1 - 0x1p-20) / 0.05, 1e-13);
+  EXPECT_LT(fit.kkt_residual, 1e-15);
+  ASSERT_TRUE(fit.covariance);
+  for (const std::size_t j : {0u, 1u, 2u, 3u, 6u}) EXPECT_EQ((*fit.covariance)[j], 0) << j;
+}
+
 TEST(AttenuationFit, CovarianceIsAbsentWhereTheSamplesDoNotIdentifyTheCoefficients) {
   EXPECT_FALSE(fit_attenuation({.samples = {{1, 0.5}, {2, 0.3}}}).covariance) << "two samples, three coefficients";
   EXPECT_FALSE(fit_attenuation({.samples = {{1, 0.6}, {2, 0.45}, {4, 0.3}}}).covariance) << "no sample to spare";
   EXPECT_FALSE(fit_attenuation({.samples = {{1, 1}, {2, 1}, {3, 1}, {4, 1}}}).covariance) << "all clamped";
+  EXPECT_FALSE(fit_attenuation({.samples = {{1, 1}, {2, 1}, {3, 0.5}, {4, 0.3}}}).covariance) << "half clamped";
   EXPECT_TRUE(fit_attenuation({.samples = {{1, 0.6}, {2, 0.45}, {4, 0.3}, {5, 0.2}}}).covariance);
 }
 
