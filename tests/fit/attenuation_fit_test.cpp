@@ -599,6 +599,14 @@ TEST(AttenuationFit, InfeasibleConstantIsAnsweredWithThoseThatTheExtentLeaves) {
   EXPECT_NEAR(compute_extent(fit.attenuation, 0.05), 100, 1e-10) << "the nearest that has the extent";
 }
 
+TEST(AttenuationFit, InfeasibleConstantIsSaidOfATableToo) {
+  const AttenuationFit fit = fit_attenuation({.extent = 100, .constant = 25, .samples = {{100, 0.05}}});
+  EXPECT_EQ(fit.status, AttenuationFitStatus::infeasible);
+  EXPECT_TRUE(fit.sentence.starts_with("constant 25 cannot be reached with an extent of 100 m")) << fit.sentence;
+  const double largest = (1 - 0x1p-20) / 0.05;
+  EXPECT_EQ(fit_attenuation({.extent = 100, .constant = largest}).status, AttenuationFitStatus::optimal);
+}
+
 TEST(AttenuationFit, DescentThatKeepsReleasingAZeroEnds) {  // found by fuzzing
   const AttenuationFit fit = fit_attenuation({.threshold = 7.3846346333570912e-23,
                                               .constant = 1.3241371730719977e-155,
@@ -619,6 +627,8 @@ TEST(AttenuationFit, InfeasibleSampleIsAnsweredWithTheRangesThatReachIt) {
   };
   EXPECT_EQ(sentence({.extent = 100, .samples = {{40, 0.5}}}),
             "attenuation 0.5 at 40 m cannot be reached with an extent of 100 m: between 0 and 31.62 m can");
+  EXPECT_EQ(sentence({.extent = 100, .samples = {{40, 0.4}}}),
+            "attenuation 0.4 at 40 m cannot be reached with an extent of 100 m: between 0 and 35.35 m can");
   EXPECT_EQ(
       sentence({.extent = 100, .constant = 1, .samples = {{40, 0.5}}}),
       "attenuation 0.5 at 40 m cannot be reached with an extent of 100 m and constant 1: between 5.264 and 22.94 m "
@@ -637,9 +647,26 @@ TEST(AttenuationFit, InfeasibleSampleIsAnsweredWithTheRangesThatReachIt) {
             "attenuation 0.5 cannot be reached with constant 4: at most 0.25 can");
   EXPECT_EQ(sentence({.constant = 2, .samples = {{0, 0.25}, {20, 0.1}}}),
             "attenuation 0.25 at 0 m cannot be reached with constant 2: 0.5 can");
+  EXPECT_EQ(sentence({.constant = 0.5, .samples = {{0, 0.25}, {20, 0.1}}}),
+            "attenuation 0.25 at 0 m cannot be reached with constant 0.5: 1 can");
+  EXPECT_EQ(sentence({.extent = 100, .constant = 0.5, .samples = {{40, 1}}}),
+            "attenuation 1 at 40 m cannot be reached with an extent of 100 m and constant 0.5: between 0 and 16.01 m "
+            "can");
+  EXPECT_EQ(sentence({.extent = 100, .constant = 4, .samples = {{40, 0.25}}}),
+            "attenuation 0.25 at 40 m cannot be reached with an extent of 100 m and constant 4: only 0 m can");
   EXPECT_EQ(sentence({.extent = 100, .samples = {{10, 0.9}, {40, 0.5}}}),
             "attenuation 0.5 at 40 m cannot be reached with an extent of 100 m: between 0 and 31.62 m can");
   EXPECT_TRUE(sentence({.extent = 100, .samples = {{30, 0.5}}}).starts_with("feasible: "));
+  EXPECT_TRUE(sentence({.extent = 100, .constant = 0.5, .samples = {{1, 1}}}).starts_with("feasible: ")) << "clamped";
+  EXPECT_TRUE(sentence({.extent = 100, .samples = {{30, 0.5}, {60, 0.9, 0}}}).starts_with("feasible: ")) << "left out";
+}
+
+TEST(AttenuationFit, SampleOutOfReachByATenthOfAPercentIsNoContradiction) {
+  const auto status = [](double factor) {  // 0.2 is the most at half the extent
+    return fit_attenuation({.extent = 100, .samples = {{50, 0.2 * factor}}}).status;
+  };
+  EXPECT_EQ(status(1.0008), AttenuationFitStatus::optimal);
+  EXPECT_EQ(status(1.0012), AttenuationFitStatus::infeasible);
 }
 
 TEST(AttenuationFit, InfeasibleSentenceHasNoDigitsOfRounding) {
@@ -667,6 +694,24 @@ TEST(AttenuationFit, InfeasibleTableIsAnsweredInASentence) {
   EXPECT_TRUE(fit.sentence.ends_with(" more of the 99 samples cannot be reached")) << fit.sentence;
   EXPECT_NE(fit.sentence.find(" at 99 m cannot be reached"), std::string::npos)
       << "the farthest out of reach: " << fit.sentence;
+}
+
+// Tables of D = 20 (r / 100 m)^2, the brightest that the extent leaves, and brighter. Their errors against the best
+// attenuation without an extent are their scatter.
+TEST(AttenuationFit, SampleOutOfReachByThreeTimesTheScatterIsNoContradiction) {
+  const auto status = [](int count, const auto& log_error) {
+    AttenuationTarget target{.extent = 100};
+    for (int i = 0; i < count; ++i) {
+      const double x = 0.3 + 0.6 * i / (count - 1);
+      target.samples.push_back({100 * x, std::exp(log_error(i)) / (20 * x * x)});
+    }
+    return fit_attenuation(target).status;
+  };
+  const auto brighter = [](double bias) { return [bias](int i) { return bias + (i % 2 == 0 ? 0.01 : -0.01); }; };
+  EXPECT_EQ(status(12, brighter(0.022)), AttenuationFitStatus::optimal);
+  EXPECT_EQ(status(12, brighter(0.03)), AttenuationFitStatus::infeasible) << "four times";
+  const auto one_brighter = [](int i) { return i == 10 ? 0.2 : 0; };
+  EXPECT_EQ(status(40, one_brighter), AttenuationFitStatus::optimal) << "by less than three times its own error";
 }
 
 TEST(AttenuationFit, InfeasibleTargetHasItsBestFit) {
