@@ -252,14 +252,15 @@ TEST(AttenuationFit, EveryExtentIsMetExactly) {
 }
 
 TEST(AttenuationFit, ExtentAloneHasItsClosedForms) {
-  const auto fit = [](AttenuationFamily family, std::optional<double> constant) {
-    return fit_attenuation({.threshold = 0.25, .extent = 6, .constant = constant, .family = family}).attenuation;
+  const auto fit = [](AttenuationFamily family, std::optional<double> constant, double extent = 6) {
+    return fit_attenuation({.threshold = 0.25, .extent = extent, .constant = constant, .family = family}).attenuation;
   };
   EXPECT_EQ(fit(AttenuationFamily::quadratic, {}), (Attenuation{1, 0, 3 / 36.}));
   EXPECT_EQ(fit(AttenuationFamily::linear, {}), (Attenuation{1, 0.5, 0}));
   EXPECT_EQ(fit(AttenuationFamily::mixed, {}), (Attenuation{1, 0.25, 1.5 / 36}));
   EXPECT_EQ(fit(AttenuationFamily::quadratic, 0), (Attenuation{0, 0, 4 / 36.}));
   EXPECT_EQ(fit(AttenuationFamily::linear, 2.5), (Attenuation{2.5, 0.25, 0}));
+  EXPECT_EQ(fit(AttenuationFamily::mixed, {}, 0.5), (Attenuation{1, 3, 6}));  // the term of Q is made exact, not L's
 }
 
 TEST(AttenuationFit, LightOfAnEndHasItsCandelaAndItsIlluminanceThere) {
@@ -427,6 +428,7 @@ TEST(AttenuationFit, FitNamesTheConstraintsThatHoldIt) {
   EXPECT_EQ(active({.extent = 10}), "extent;linear = 0;");
   EXPECT_EQ(active({.extent = 10, .constant = 1, .family = AttenuationFamily::linear}),
             "extent;constant given;quadratic = 0;");
+  EXPECT_EQ(active({.extent = 10, .constant = 0}), "extent;constant given;linear = 0;") << "given, not found";
   EXPECT_EQ(active({.samples = {{1, 0.5}, {2, 0.25}, {4, 0.125}}}), "constant = 0;quadratic = 0;");
   EXPECT_EQ(active({.samples = {{1, 0.5}, {2, 0.3}, {4, 0.1}, {5, 0.07}}}).find("extent"), std::string::npos);
 }
@@ -578,6 +580,11 @@ TEST(AttenuationFit, ConstantOneIsPreferredAmongEqualOptima) {
   EXPECT_EQ(two.attenuation.constant, 1);
   EXPECT_LT(two.rms_error, 1e-15);
   EXPECT_EQ(fit_attenuation({.samples = {{1, 1}, {2, 1}, {3, 1}}}).attenuation, (Attenuation{1, 0, 0}));
+  // A sample at the extent tells nothing. With C = 1, 50 L + 2500 Q = 5 and 100 L + 10000 Q = 19.
+  const Attenuation at_extent = fit_attenuation({.extent = 100, .samples = {{50, 1 / 6.}, {100, 0.05}}}).attenuation;
+  EXPECT_EQ(at_extent.constant, 1);
+  EXPECT_NEAR(at_extent.linear, 0.01, 1e-12);
+  EXPECT_NEAR(at_extent.quadratic, 0.0018, 1e-14);
   // None with C = 1 meets these.
   EXPECT_LT(fit_attenuation({.samples = {{1, 0.9}, {2, 0.3}}}).rms_error, 1e-15);
 }
@@ -747,6 +754,17 @@ TEST(AttenuationFit, PointIsMetWithinTheStatedRangesAndNotOutside) {
       EXPECT_GT(fit_attenuation(target).rms_error, 1e-7) << sentence << ", but 1 % before as well";
     }
   }
+}
+
+TEST(AttenuationTarget, LimitsMayBeExceededByTheRoundingOfFloats) {
+  const auto error = [](const AttenuationTarget& target) { return error_of([&] { fit_attenuation(target); }); };
+  constexpr double kAbove = 1 + 5e-8, kBelow = 1 - 5e-8;
+  EXPECT_EQ(error({.threshold = 1e-100 * kBelow, .extent = 1e30 * kAbove}), "no error");
+  EXPECT_EQ(error({.extent = 1, .constant = 1e100 * kAbove}), "no error");
+  EXPECT_EQ(error({.samples = {{1, kAbove}, {1e30 * kAbove, 1e-100 * kBelow, 1e100 * kAbove}}}), "no error");
+  EXPECT_EQ(fit_attenuation({.samples = {{1, kAbove}, {2, kAbove}}}).rms_error, 0) << "counts as 1";
+  const Attenuation farthest = fit_attenuation({.extent = 1e30 * kAbove}).attenuation;
+  EXPECT_NEAR(compute_extent(farthest, kDefaultThreshold) / 1e30, 1, 1e-12) << "counts as 1e30";
 }
 
 TEST(AttenuationTarget, ErrorNamesSampleFieldValueAndRule) {
