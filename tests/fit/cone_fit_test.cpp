@@ -13,7 +13,9 @@
 #include <vector>
 
 #include "core/value_errors.h"
+#include "fit/cosine_profile.h"
 #include "fit/random_target.h"
+#include "fit/smoothstep_profile.h"
 #include "reference/double_limits.h"
 #include "reference/random_light.h"
 #include "reference/ulp.h"
@@ -148,6 +150,44 @@ TEST(ConeFit, BothProfilesHaveTheirGlobalOptimum) {
   smoothstep_excess.check();
   kkt.check();
   boxes.check();
+}
+
+/// Compares bounds of random boxes with the objectives of cones in them.
+template <typename Profile>
+void expect_bounds_hold(const Profile& profile, Random& random) {
+  const ConeBox root = profile.root();
+  for (int i = 0; i < 60; ++i) {
+    ConeBox box;
+    for (std::size_t j = 0; j < 2; ++j) {
+      const double size = (root.most[j] - root.least[j]) * random.log_uniform(1e-3, 1);
+      box.least[j] = random.uniform(root.least[j], root.most[j] - size);
+      box.most[j] = box.least[j] + size;
+    }
+    const auto start = profile.start(box);
+    if (!start) continue;
+    const double bound = profile.bound(box, profile.objective(*start));
+    for (int k = 0; k < 12; ++k) {
+      ConeParameters inside;
+      for (std::size_t j = 0; j < 2; ++j) {
+        const double at = k < 4 ? k >> j & 1 : random.uniform(0, 1);  // corners first
+        inside[j] = at == 1 ? box.most[j] : box.least[j] + at * (box.most[j] - box.least[j]);
+      }
+      const auto cone = profile.start({inside, inside});
+      if (cone) EXPECT_LE(bound, profile.objective(*cone) * (1 + 1e-9) + 1e-15) << inside[0] << ", " << inside[1];
+    }
+  }
+}
+
+TEST(ConeFit, BoundOfABoxIsAboveNoConeInIt) {
+  Random random(24);
+  for (int i = 0; i < 30; ++i) {
+    const auto samples = draw_cone_samples(random);
+    if (samples.size() < 2) continue;
+    SCOPED_TRACE(i);
+    const std::vector<ConePoint> points = points_of({.samples = samples});
+    expect_bounds_hold(CosineProfile(points, std::nullopt), random);
+    expect_bounds_hold(SmoothstepProfile(points, std::nullopt), random);
+  }
 }
 
 TEST(ConeFit, FitOfExactSamplesIsTheConeThatTheyWereDrawnFrom) {
