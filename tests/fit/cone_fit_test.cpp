@@ -237,6 +237,7 @@ TEST(ConeFit, BeamAngleAloneIsMetInClosedForm) {
   EXPECT_NEAR(std::cos(fit.profiles.back().cone.outer), 2 * std::cos(radians(10)) - 1, 1e-15);
   EXPECT_NEAR(*fit.profiles.back().beam_angle_error, 0, 1e-12);
   EXPECT_FALSE(fit.profiles.back().covariance);
+  EXPECT_FALSE(fit.profiles.front().covariance) << "nothing left to estimate it from";
   EXPECT_FALSE(fit.profiles.back().field_angle_error);
   EXPECT_FALSE(fit.profiles.back().flux_error);
 }
@@ -249,6 +250,10 @@ TEST(ConeFit, BeamAndFieldAngleAreMetByTheDualCone) {
   EXPECT_NEAR(*fit.best().beam_angle_error, 0, 1e-12);
   EXPECT_NEAR(*fit.best().field_angle_error, 0, 1e-12);
   EXPECT_FALSE(fit.best().covariance) << "as many angles as parameters: no scatter to estimate it from";
+  const ConeProfileFit& cosine = fit.profiles.front();
+  const double at_beam = cone_at(cosine.cone, std::cos(radians(5.5))) - 0.5;
+  EXPECT_NEAR(cosine.objective, std::pow(at_beam, 2) + std::pow(cone_at(cosine.cone, std::cos(radians(6.5))) - 0.1, 2),
+              1e-15);
 }
 
 TEST(ConeFit, CosineConeOfALambertianPatchHasExponentOneAndItsGivenEdge) {
@@ -279,6 +284,11 @@ TEST(ConeFit, EdgeBetweenSamplesIsAsSoftAsTheyAllow) {
       fit_cone(target_of(ConeProfile::smoothstep, {{0, 1}, {radians(5), 1}, {radians(6), 0.5}, {radians(20), 0}}));
   EXPECT_DOUBLE_EQ(through.best().cone.inner, radians(5));
   EXPECT_NEAR(std::cos(through.best().cone.outer), 2 * std::cos(radians(6)) - std::cos(radians(5)), 1e-15);
+  EXPECT_FALSE(through.best().covariance) << "the rule made the choice";
+  ConeTarget target =
+      target_of(ConeProfile::smoothstep, {{0, 1}, {radians(5), 1}, {radians(12), 0.9}, {radians(25), 0}});
+  target.half_angle = radians(20);
+  EXPECT_TRUE(fit_cone(target).best().covariance) << "one sample in the edge, one free angle";
 }
 
 TEST(ConeFit, CutOffOfABeamWithAFaintSpillIsNearTheBeam) {
@@ -305,7 +315,20 @@ TEST(ConeFit, CutOffOfTheCosineConeIsBetweenTheLastLitAndTheFirstDarkSample) {
   EXPECT_EQ(flat.best().objective, 0);
   const ConeFit axis_only = fit_cone(target_of(ConeProfile::cosine, {{0, 1}, {radians(10), 0}}));
   EXPECT_EQ(axis_only.best().cone, Cone::cosine(radians(5), 0));
+  const ConeFit wide = fit_cone(target_of(ConeProfile::cosine, {{0, 1}, {radians(60), 0.5}, {radians(120), 0}}));
+  EXPECT_EQ(wide.best().cutoff_range, (std::array{radians(60), pi / 2}));
+  ConeTarget dark = target_of(ConeProfile::cosine, {{radians(10), 1}, {radians(20), 0.5}});
+  dark.half_angle = radians(5);
+  EXPECT_EQ(fit_cone(dark).best().cone, Cone::cosine(radians(5), 0)) << "without a lit sample";
   EXPECT_FALSE(axis_only.best().covariance);
+}
+
+TEST(ConeFit, CutOffDoesNotPartASampleFromTheStatedAngleThatItStandsAt) {
+  ConeTarget target{.profile = ConeProfile::cosine, .beam_angle = radians(20)};
+  target.samples = {{0, 1}, {radians(10), 0}, {radians(20), 0}};
+  const ConeFit fit = fit_cone(target);
+  EXPECT_NEAR(fit.best().objective, 2 * 0.25 * 0.25, 1e-3) << "half-way between 0.5 and 0";
+  EXPECT_NEAR(cone_at(fit.best().cone, std::cos(radians(10))), 0.25, 0.02);
 }
 
 TEST(ConeFit, WeightedFitOfAFlatBeamIsItsWeightedMean) {
@@ -321,6 +344,10 @@ TEST(ConeFit, WeightedFitOfAFlatBeamIsItsWeightedMean) {
   EXPECT_NEAR(fit.best().largest_error, mean - 0.5, 1e-9);
   EXPECT_EQ(fit.best().largest_error_angle, angle);
   EXPECT_LE(fit.best().kkt_residual, 1e-6);
+  const double slope = mean * std::log(std::cos(angle));  // of the cone by the exponent, at four of weight
+  ASSERT_TRUE(fit.best().covariance);
+  const double variance = fit.best().objective / 3 / (4 * slope * slope);
+  EXPECT_NEAR((*fit.best().covariance)[0][0] / variance, 1, 1e-8);
 }
 
 TEST(ConeFit, CosineMatchedAtTheBeamAngleMissesTheFieldAngleOfRealBeams) {
@@ -340,6 +367,32 @@ TEST(ConeFit, FluxErrorComparesWithTheSamplesFlux) {
   for (const ConeProfileFit& profile : fit.profiles) {
     EXPECT_NEAR(*profile.flux_error, flux_within(profile.cone, pi) / flux - 1, 1e-13);
   }
+}
+
+TEST(ConeFit, FluxErrorIsOfTheAnglesThatTheSamplesCover) {
+  const std::vector<ConeSample> samples{{0.2, 8}, {0.3, 6}, {0.5, 1}};
+  double flux = 0;  // of the largest intensity
+  for (double angle = 0.2005; angle < 0.5; angle += 0.001) {
+    const double intensity = angle < 0.3 ? 8 - 20 * (angle - 0.2) : 6 - 25 * (angle - 0.3);
+    flux += 2 * pi * std::sin(angle) * intensity / 8 * 0.001;
+  }
+  for (const ConeProfileFit& profile : fit_cone(target_of(std::nullopt, samples)).profiles) {
+    const double covered = flux_within(profile.cone, 0.5) - flux_within(profile.cone, 0.2);
+    EXPECT_NEAR(*profile.flux_error, covered / flux - 1, 1e-5);
+  }
+  EXPECT_TRUE(fit_cone(target_of(std::nullopt, {{0, 1}, {0.3, 0.2}})).best().flux_error) << "of two samples as well";
+}
+
+TEST(ConeFit, AnglesThatAreNotStatedAreThoseOfTheSamples) {
+  // They fall to 50 % a fourth of the way from 0.2 to 0.3, and to 10 % half-way from 0.3 to 0.4.
+  const ConeFit fit = fit_cone(target_of(std::nullopt, {{0, 5}, {0.1, 5}, {0.2, 3}, {0.3, 1}, {0.4, 0}}));
+  for (const ConeProfileFit& profile : fit.profiles) {
+    EXPECT_NEAR(*profile.beam_angle_error, angle_at_level(profile.cone, 0.5) / 0.225 - 1, 1e-12);
+    EXPECT_NEAR(*profile.field_angle_error, angle_at_level(profile.cone, 0.1) / 0.35 - 1, 1e-12);
+  }
+  const ConeFit bright = fit_cone(target_of(std::nullopt, {{0, 1}, {0.1, 0.9}, {0.2, 0.3}}));
+  EXPECT_TRUE(bright.best().beam_angle_error);
+  EXPECT_FALSE(bright.best().field_angle_error) << "they do not fall to 10 %";
 }
 
 TEST(ConeFit, CovarianceOfAnAngleAtZeroIsZero) {
@@ -427,14 +480,17 @@ TEST(ConeFit, ErrorNamesFieldValueAndRule) {
   EXPECT_EQ(error({.samples = {{0, 1}, {1, 1, -1}}}), "samples[1].weight = -1: must be 0 or in [1e-100, 1e100]");
   EXPECT_EQ(error({.samples = {{0, 0}, {1, 0}}}),
             "samples.intensity = 0: must be > 0 for one of the samples with weight");
+  EXPECT_EQ(error({.samples = {{0, 0}, {1, 0}, {2, 9, 0}}}),
+            "samples.intensity = 0: must be > 0 for one of the samples with weight");
 }
 
 TEST(ConeFit, TargetsAtTheEndsOfTheirRangesAreFitted) {
   for (const ConeTarget& target :
        {ConeTarget{.beam_angle = 1e-6}, ConeTarget{.beam_angle = 2 * pi}, ConeTarget{.field_angle = 2 * pi},
-        ConeTarget{.beam_angle = 1, .field_angle = 2 * pi}, target_of(std::nullopt, {{0, 1}, {1e-300, 1}}),
-        target_of(std::nullopt, {{0, 1}, {pi, 1}}), target_of(std::nullopt, {{pi / 2, 1}, {pi, 0.5}}),
-        target_of(std::nullopt, {{0, 1e-300}, {1, 1e308}}), target_of(std::nullopt, {{0, 1, 1e100}, {1, 0.5}}),
+        ConeTarget{.beam_angle = double(float(2 * pi))}, ConeTarget{.beam_angle = 1, .field_angle = 2 * pi},
+        target_of(std::nullopt, {{0, 1}, {1e-300, 1}}), target_of(std::nullopt, {{0, 1}, {pi, 1}}),
+        target_of(std::nullopt, {{pi / 2, 1}, {pi, 0.5}}), target_of(std::nullopt, {{0, 1e-300}, {1, 1e308}}),
+        target_of(std::nullopt, {{0, 1, 1e100}, {1, 0.5}}),
         target_of(std::nullopt, {{0, 0}, {0.1, 0}, {0.2, 1}, {0.3, 0}})}) {
     const ConeFit fit = fit_cone(target);
     for (const ConeProfileFit& profile : fit.profiles) {
