@@ -274,6 +274,66 @@ TEST(MultipleScattering, FogOfOneDensityAtAllHeightsIsUniform) {
   }
 }
 
+TEST(MultipleScattering, LayersUpsideDownScatterTheSame) {
+  Random random(4208);
+  const std::vector<DensityKnot> knots{{-4, 0.001}, {-3, 0.08}, {1, 0.02}, {6, 0.05}, {7, 0.012}};
+  std::vector<DensityKnot> turned;
+  for (const DensityKnot& knot : knots) turned.insert(turned.begin(), {-knot.height, knot.density});
+  Atmosphere air = uniform_fog(0.0005, Phase::droplets(12)), turned_air = air;
+  air.profile = make_density_profile(knots);
+  turned_air.profile = make_density_profile(turned);
+  const ScatteringTable table = make_scattering_table(air);
+  const ThinBeams beams = make_thin_beams(air, table);
+  const auto mirrored = [](const dvec3& v) { return dvec3{v.x, -v.y, v.z}; };
+  WorstError error("multiple_scattering", "in layers and in them upside down", 1e-9, "relative");
+  WorstError light_error("scattered_light", "in layers and in them upside down", 1e-9, "relative");
+  for (int i = 0; i < 200; ++i) {
+    PlacedLight lamp = inverse_square_lamp({random.uniform(-20, 20), random.uniform(-6, 10), -random.uniform(5, 40)});
+    lamp.direction = draw_direction(random);
+    if (i % 2 == 0) lamp.light.cone = Cone::smoothstep(0.3, 0.8);
+    const EyeRay ray{.origin = {0, random.uniform(-6, 10), 0}, .direction = draw_direction(random), .length = 90};
+    PlacedLight other = lamp;
+    other.position = mirrored(lamp.position);
+    other.direction = mirrored(lamp.direction);
+    const EyeRay other_ray{.origin = mirrored(ray.origin), .direction = mirrored(ray.direction), .length = 90};
+    const ScatteringSource source = scattering_source(lamp.light, air, beams);
+    const double expected = multiple_scattering(lamp, source, air, table, ray);
+    if (expected > 1e-20) {
+      error.add(relative_error(multiple_scattering(other, source, turned_air, table, other_ray), expected),
+                [&] { return "ray " + std::to_string(i); });
+    }
+    const DiffuseLight light = scattered_light(lamp, source, air, ray.origin);
+    const DiffuseLight other_light = scattered_light(other, source, turned_air, other_ray.origin);
+    light_error.add(relative_error(other_light.all, light.all), [&] { return "place " + std::to_string(i); });
+    light_error.add(glm::length(mirrored(other_light.flow) - light.flow) / light.all,
+                    [&] { return "place " + std::to_string(i); });
+  }
+  error.check();
+  light_error.check();
+}
+
+// What layers keep of it is one part of all light and of the flow.
+TEST(ScatteredLight, InLayersIsAPartOfThatInFogOfTheirMeanDensity) {
+  Random random(4209);
+  Atmosphere air = uniform_fog(0.002);
+  air.profile = make_density_profile(std::array<DensityKnot, 3>{{{0, 0.02}, {5, 0.05}, {30, 0}}});
+  const ThinBeams beams = make_thin_beams(air, make_scattering_table(air));
+  for (int i = 0; i < 100; ++i) {
+    PlacedLight lamp = inverse_square_lamp({0, random.uniform(0, 20), 0});
+    lamp.light.cone = Cone::smoothstep(0.2, random.uniform(0.3, 1.5));
+    lamp.direction = draw_direction(random);
+    const ScatteringSource source = scattering_source(lamp.light, air, beams);
+    const dvec3 place = lamp.position + random.log_uniform(1, 50) * draw_direction(random);
+    const DiffuseLight light = scattered_light(lamp, source, air, place);
+    const double mean = 0.002 + mean_density(air.profile, lamp.position.y, place.y);
+    const DiffuseLight endless = scattered_light(lamp, source, uniform_fog(mean), place);
+    const double part = light.all / endless.all;
+    EXPECT_GT(part, 0) << i;
+    EXPECT_LT(part, 1) << i;
+    EXPECT_NEAR(glm::length(light.flow - part * endless.flow) / light.all, 0, 1e-9) << i;
+  }
+}
+
 // Rays that are all but level, haze that all but vanishes, eyes a rounding beside the outermost knots.
 TEST(MultipleScattering, InLayersNothingJumps) {
   const auto layer = [](double haze) {
