@@ -108,6 +108,11 @@ TEST(EffectiveIntensity, IsTheIntegral) {
   soft_error.check();
 }
 
+TEST(SoftRange, RisesWithTheMeanCosine) {
+  const Attenuation law{1, 0.1, 0.01};
+  EXPECT_NEAR(soft_range(law, 0.1, Phase::henyey_greenstein(0.8)) / soft_range(law, 0.1), 1.8, 1e-12);
+}
+
 TEST(SoftRange, IsNoneOfAPointAndFourMeanFreePathsAtMost) {
   for (const Phase& phase : {Phase{}, Phase::droplets(10), Phase::henyey_greenstein(0.95)}) {
     EXPECT_LE(soft_range({0, 0, 1e12}, 1, phase), 1e-5);
@@ -312,6 +317,59 @@ TEST(MultipleScattering, LayersUpsideDownScatterTheSame) {
   light_error.check();
 }
 
+TEST(ScatteredLight, OfAClassIsThatInTheThinnerFogItSees) {
+  const auto layered = [](double scale) {
+    Atmosphere air = uniform_fog(0.02 * scale);
+    air.profile = make_density_profile(std::array<DensityKnot, 2>{{{0, 0.08 * scale}, {9, 0}}});
+    return air;
+  };
+  PlacedLight lamp = inverse_square_lamp({1, 2, 3}), seen = lamp;
+  lamp.light.density_scale = 0.25;
+  const ThinBeams beams = make_thin_beams(uniform_fog(1), make_scattering_table(uniform_fog(1)));
+  for (const auto& [air, thinner] :
+       {std::pair(uniform_fog(0.08), uniform_fog(0.02)), std::pair(layered(1), layered(0.25))}) {
+    const DiffuseLight found = scattered_light(lamp, scattering_source(lamp.light, air, beams), air, {9, 4, 8});
+    const DiffuseLight expected =
+        scattered_light(seen, scattering_source(seen.light, thinner, beams), thinner, {9, 4, 8});
+    EXPECT_NEAR(found.all / expected.all, 1, 1e-12);
+    EXPECT_NEAR(glm::length(found.flow - expected.flow) / expected.all, 0, 1e-12);
+  }
+}
+
+// At the depths and angles of a beam's numbers. What a point lamp's light of intensity 1 flows is (1 - e^-depth) / r^2.
+TEST(ScatteredLight, HasItsBeamsShareAndFlow) {
+  const Atmosphere air = uniform_fog(0.1, Phase::droplets(10));
+  const ThinBeams beams = make_thin_beams(air, make_scattering_table(air));
+  PlacedLight lamp = inverse_square_lamp({1, 2, 3});
+  lamp.light.cone = Cone::smoothstep(0.3, 0.8);
+  lamp.direction = glm::normalize(dvec3{2, -1, 2});
+  const dvec3 beside = glm::normalize(glm::cross(lamp.direction, dvec3{0, 1, 0}));
+  for (const double law : {1e8, 0.01}) {
+    if (law < 1) lamp.light.attenuation = {.constant = 1, .linear = 0, .quadratic = law};
+    const ScatteringSource source = scattering_source(lamp.light, air, beams);
+    for (std::size_t row = 0; row < kBeamDepths; ++row) {
+      const double depth = 0.02 * std::pow(600, double(row) / (kBeamDepths - 1));
+      const double range = std::sqrt(std::pow(depth / 0.1, 2) - std::pow(source.soft_range, 2));
+      if (!(range > 0)) continue;
+      for (std::size_t column = 1; column < kBeamAngles - 1; ++column) {
+        const double angle = pi * double(column) / (kBeamAngles - 1);
+        const dvec3 away = std::cos(angle) * lamp.direction + std::sin(angle) * beside;
+        const dvec3 aside = std::cos(angle) * beside - std::sin(angle) * lamp.direction;
+        const auto& [share, radial, turned, forward] = source.beam.texels[row][column];
+        const double flow = source.intensity * -std::expm1(-depth) / std::pow(depth / 0.1, 2);
+        const DiffuseLight light = scattered_light(lamp, source, air, lamp.position + range * away);
+        const double all = std::max(flow * double(share) / double(forward), glm::length(light.flow));
+        EXPECT_NEAR(light.all / all, 1, 1e-4) << row << ", " << column;
+        const dvec3 direction = glm::normalize(double(radial) * away + double(turned) * aside);
+        EXPECT_NEAR(glm::length(glm::normalize(light.flow) - direction), 0, 1e-4) << row << ", " << column;
+        if (law > 1) {
+          EXPECT_NEAR(glm::length(light.flow) / (flow * std::hypot(double(radial), double(turned))), 1, 1e-4);
+        }
+      }
+    }
+  }
+}
+
 // What layers keep of it is one part of all light and of the flow.
 TEST(ScatteredLight, InLayersIsAPartOfThatInFogOfTheirMeanDensity) {
   Random random(4209);
@@ -454,6 +512,49 @@ TEST(ScatteringTable, TableOfAnotherPhaseFunctionIsRefused) {
 TEST(ScatteringTable, AtmosphereThatIsNoneIsNamed) {
   const auto air = uniform_fog(-1);
   EXPECT_EQ(error_of([&] { make_scattering_table(air); }), "fog.density = -1: " + std::string(find_error(air)->rule));
+}
+
+/// The x of which ln x + x / scale is a part of the way from that of `first` to that of `last`.
+double place_between(double first, double last, double scale, double part) {
+  const auto of = [scale](double x) { return std::log(x) + x / scale; };
+  double low = first, high = last;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = (low + high) / 2;
+    (of(middle) < std::lerp(of(first), of(last), part) ? low : high) = middle;
+  }
+  return high;
+}
+
+// Depths of 0.02 to 30 go by equal steps of ln x + x / 5, angles of 0.2 to 180 degrees by equal steps of ln x + x / 2.
+TEST(ScatteringTable, IsReadAtTheDepthsAndAnglesOfItsNumbers) {
+  const ScatteringTable table = make_scattering_table(uniform_fog(1, Phase::droplets(10)));
+  for (std::size_t i = 0; i < kScatteringDepths; i += 5) {
+    const double depth = place_between(0.02, 30, 5, double(i) / (kScatteringDepths - 1));
+    for (std::size_t j = 0; j < kScatteringAngles; j += 4) {
+      const double angle = place_between(0.2 / 180 * pi, pi, 2, double(j) / (kScatteringAngles - 1));
+      EXPECT_NEAR(scattered_at(table, depth, angle) / std::exp(double(table.logs[i][j])), 1, 1e-6) << i << ", " << j;
+    }
+  }
+  EXPECT_EQ(scattered_at(table, 0.001, 1), scattered_at(table, 0.02, 1));
+  EXPECT_EQ(scattered_at(table, 1, 0), scattered_at(table, 1, 0.2 / 180 * pi));
+  EXPECT_NEAR(scattered_at(table, 90, 1), scattered_at(table, 30, 1) / 3, 1e-12 * scattered_at(table, 30, 1));
+}
+
+// Every fourth number is tabulated; a cubic between two of them strays little from the line.
+TEST(ScatteringTable, NumbersBetweenTabulatedOnesAreNearALine) {
+  for (const Phase& phase : {Phase{}, Phase::henyey_greenstein(0.9), Phase::droplets(20)}) {
+    const auto logs = make_scattering_table(uniform_fog(1, phase)).logs;
+    const auto expect_near_line = [](float from, float to, float between, std::size_t part) {
+      EXPECT_NEAR(double(between), std::lerp(double(from), double(to), double(part) / 4), 0.12);
+    };
+    for (std::size_t i = 0; i + 1 < kScatteringDepths; ++i) {
+      for (std::size_t j = 0; j + 1 < kScatteringAngles; ++j) {
+        const std::size_t up = i / 4 * 4, left = j / 4 * 4;
+        if (left == j) expect_near_line(logs[up][j], logs[up + 4][j], logs[i][j], i - up);
+        if (up == i) expect_near_line(logs[i][left], logs[i][left + 4], logs[i][j], j - left);
+      }
+    }
+  }
 }
 
 TEST(ScatteringTable, PhasesThatAreTheSameHaveTheSame) {
@@ -673,6 +774,27 @@ TEST(ScatteredBeam, LightFlowsAwayFromItsApparentStart) {
         const ScatteredBeam::Texel& texel = row[std::size_t(column)];
         EXPECT_NEAR(double(texel.turned) / double(texel.radial) / (away / outward), 1, 0.03) << column;
       }
+    }
+  }
+}
+
+TEST(MultipleScattering, ConeOfAlmostAllDirectionsIsAlmostAPointLamp) {
+  Random random(4210);
+  for (const Phase& phase : {Phase{}, Phase::droplets(10), Phase::henyey_greenstein(0.8)}) {
+    const Atmosphere air = uniform_fog(0.05, phase);
+    const ThinBeams beams = make_thin_beams(air, make_scattering_table(air));
+    const ScatteringTable table = make_scattering_table(air);
+    for (int i = 0; i < 50; ++i) {
+      PlacedLight lamp = inverse_square_lamp({random.uniform(-5, 5), random.uniform(-5, 5), -random.uniform(3, 40)});
+      lamp.direction = draw_direction(random);
+      const EyeRay ray = ray_at(random.uniform(0.05, 1), 60);
+      const double point = multiple_scattering(lamp, scattering_source(lamp.light, air), air, table, ray);
+      lamp.light.cone = Cone::smoothstep(3.1, pi);
+      const double wide = multiple_scattering(lamp, scattering_source(lamp.light, air, beams), air, table, ray);
+      EXPECT_NEAR(wide / point, 1, 0.02) << i;
+      lamp.light.cone = Cone::smoothstep(0.2, 0.9);
+      const double cone = multiple_scattering(lamp, scattering_source(lamp.light, air, beams), air, table, ray);
+      EXPECT_LE(cone, point * (1 + 1e-9)) << i;
     }
   }
 }
