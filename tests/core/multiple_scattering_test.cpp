@@ -799,6 +799,23 @@ TEST(MultipleScattering, ConeOfAlmostAllDirectionsIsAlmostAPointLamp) {
   }
 }
 
+TEST(MultipleScattering, RaysPassASoftLampFartherOff) {  // in isotropic fog by its soft range, whatever the angle
+  const double density = 0.05;
+  const Atmosphere air = uniform_fog(density);
+  const ScatteringTable table = make_scattering_table(air);
+  PlacedLight lamp = inverse_square_lamp({0, 0, -30});
+  lamp.light.attenuation = {.constant = 1, .linear = 0, .quadratic = 0.01};
+  const ScatteringSource source = scattering_source(lamp.light, air);
+  EXPECT_GT(source.soft_range, 5);
+  for (const double angle : {0.1, 0.5, 1.0, 2.0, 3.0}) {
+    const double beside = std::hypot(30 * std::sin(angle), source.soft_range);
+    const double depth = density * std::hypot(30, source.soft_range);
+    const double expected =
+        source.intensity * density * density * scattered_at(table, depth, std::atan2(beside, 30 * std::cos(angle)));
+    EXPECT_NEAR(multiple_scattering(lamp, source, air, table, ray_at(angle)) / expected, 1, 1e-12) << angle;
+  }
+}
+
 TEST(MultipleScattering, NothingJumpsAsTheEyePassesASoftLamp) {
   for (const Phase& phase : {Phase{}, Phase::droplets(12), Phase::henyey_greenstein(0.9)}) {
     const Atmosphere air = uniform_fog(0.05, phase);
