@@ -173,7 +173,9 @@ void expect_bounds_hold(const Profile& profile, Random& random) {
         inside[j] = at == 1 ? box.most[j] : box.least[j] + at * (box.most[j] - box.least[j]);
       }
       const auto cone = profile.start({inside, inside});
-      if (cone) EXPECT_LE(bound, profile.objective(*cone) * (1 + 1e-9) + 1e-15) << inside[0] << ", " << inside[1];
+      if (cone) {
+        EXPECT_LE(bound, profile.objective(*cone) * (1 + 1e-9) + 1e-15) << inside[0] << ", " << inside[1];
+      }
     }
   }
 }
