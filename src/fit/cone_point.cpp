@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "model/versine.h"
+
 namespace litfog {
 
 std::vector<ConePoint> points_of(const ConeTarget& target) {
@@ -36,9 +38,8 @@ double flux_of(const std::vector<ConeSample>& samples) {
     const double half = (samples[i].angle - samples[i - 1].angle) / 2;
     const double middle = samples[i - 1].angle + half;
     const double mean = samples[i - 1].intensity / 2 + samples[i].intensity / 2;
-    const double slope = (samples[i].intensity - samples[i - 1].intensity) / (2 * half);
-    sum +=
-        mean * std::sin(middle) * std::sin(half) + slope * std::cos(middle) * (std::sin(half) - half * std::cos(half));
+    const double skew = (samples[i].intensity - samples[i - 1].intensity) / 2;
+    sum += mean * std::sin(middle) * std::sin(half) + skew * std::cos(middle) * mean_cosine_excess(half);
   }
   return 4 * std::numbers::pi * sum;
 }

@@ -10,6 +10,12 @@ inline double versine(double angle) {
   const double sine = std::sin(angle / 2);
   return 2 * sine * sine;
 }
+/// sin x / x - cos x; below 0.1, where they cancel, by the series x^2 / 3 - x^4 / 30 + x^6 / 840 - ...
+inline double mean_cosine_excess(double x) {
+  const double square = x * x;
+  if (square > 0.01) return std::sin(x) / x - std::cos(x);
+  return square / 3 * (1 - square / 10 * (1 - square / 28 * (1 - square / 54 * (1 - square / 88))));
+}
 inline double angle_of_versine(double versine) { return 2 * std::atan2(std::sqrt(versine), std::sqrt(2 - versine)); }
 
 }  // namespace litfog

@@ -10,6 +10,7 @@
 
 #include "model/float_limit.h"
 #include "model/require.h"
+#include "model/versine.h"
 #include "photometry/angle_index.h"
 #include "photometry/pole_coordinates.h"
 
@@ -79,7 +80,7 @@ std::vector<double> polar_weights(std::span<const double> angles, double pole) {
     const double half = (angles[i] - angles[i - 1]) / 2;
     const double middle = (angles[i] + angles[i - 1]) / 2 - pole;
     const double mean = std::sin(middle) * std::sin(half);
-    const double skew = std::cos(middle) * (std::sin(half) / half - std::cos(half));
+    const double skew = std::cos(middle) * mean_cosine_excess(half);
     weights[i - 1] += mean - skew;
     weights[i] += mean + skew;
   }

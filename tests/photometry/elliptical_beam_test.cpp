@@ -111,6 +111,9 @@ TEST(EllipticalBeam, FluxIsTheIntegralOverTheLines) {
                 [&] { return std::to_string(width) + "/" + std::to_string(ratio); });
     }
   }
+  const std::vector<IsocandelaEllipse> worst{
+      {1000, 0.1024, 0.0273}, {228.5, 0.2531, 0.0674}, {129.8, 0.4431, 0.1108}, {57.1, 0.9054, 0.2957}};
+  error.add(std::abs(luminous_flux(elliptical_beam(worst)) / flux_of(worst) - 1), [] { return "found by a climb"; });
   error.check();
 }
 

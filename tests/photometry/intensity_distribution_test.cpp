@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "core/value_errors.h"
+#include "reference/digits50.h"
 #include "reference/random_light.h"
 #include "sampled_distribution.h"
 
@@ -179,6 +180,25 @@ TEST(LuminousFlux, FluxOfLinearIntensitiesIsExact) {
     const auto b = sampled(PhotometryType::b, random_angles(random, v0, v1), random_angles(random, h0, h1),
                            [&](double h, double v) { return linear(v, h); });
     EXPECT_NEAR(luminous_flux(b), expected_a, 1e-12 * expected_a);
+  }
+}
+
+TEST(LuminousFlux, NarrowBeamHasItsStatedDigits) {
+  const std::vector<double> intensity{1e6, 9e5, 5e5, 1e5, 0};
+  for (const double step : {0.1, 0.03, 1e-3, 1e-5, 1e-7}) {
+    IntensityDistribution beam{.type = PhotometryType::c, .horizontal = {0}, .vertical = {}, .intensity = intensity};
+    Digits50 expected = 0;
+    for (std::size_t i = 0; i < intensity.size(); ++i) {
+      beam.vertical.push_back(step * double(i));
+      if (i == 0) continue;
+      const Digits50 low = beam.vertical[i - 1], high = beam.vertical[i];
+      const Digits50 slope = (Digits50(intensity[i]) - Digits50(intensity[i - 1])) / (high - low);
+      const auto antiderivative = [&](const Digits50& u) -> Digits50 {  // of the intensity times sin u
+        return slope * sin(u) - (Digits50(intensity[i]) + slope * (u - high)) * cos(u);
+      };
+      expected += 2 * boost::math::constants::pi<Digits50>() * (antiderivative(high) - antiderivative(low));
+    }
+    EXPECT_LE(relative_error(luminous_flux(beam), double(expected)), 1e-12) << step;
   }
 }
 

@@ -26,8 +26,8 @@ std::optional<ValueError> find_error(const std::vector<IsocandelaEllipse>& ellip
 /// steps, whose last line has at most a tenth of the peak and which grow by half from line to line; intensity, where it
 /// is continuous, as a fraction of the peak.
 inline constexpr double kEllipticalFluxMaxError = 3e-3;
-inline constexpr double kSmoothEllipticalFluxMaxError = 1e-4;
-inline constexpr double kEllipticalBeamMaxError = 0.03;
+inline constexpr double kSmoothEllipticalFluxMaxError = 2e-4;
+inline constexpr double kEllipticalBeamMaxError = 0.05;
 
 /// A beam from its isocandela lines, as a table of type C about the photometric axis. Up to each line, from that within
 /// it, the angles are 1 / 512 of the line's larger half axis apart. Within the first line the intensity is the line's,

@@ -58,7 +58,7 @@ double intensity_at(const IntensityDistribution& distribution, const glm::dvec3&
 
 /// Luminous flux in lumens: the interpolated intensity, integrated over the sphere in closed form.
 ///
-/// max error     1e-12 relative                                               (intensity_distribution_test.cpp)
+/// max error     1e-12 relative, or 1e-15 of the peak in all directions       (intensity_distribution_test.cpp)
 double luminous_flux(const IntensityDistribution& distribution);
 
 /// The largest intensity, always at measured angles.
