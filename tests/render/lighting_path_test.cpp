@@ -334,6 +334,21 @@ TEST_F(LightingPathPixels, ChangedMoonAndAmbientLightGiveThePictureOfANewRendere
   }
 }
 
+TEST_F(LightingPathPixels, ExposureThereAndBackGivesThePictureOfANewRenderer) {
+  Scene scene = wall(8);
+  scene.lights = lamps();
+  for (const LightingPath& path : lighting_paths()) {
+    if (!path.takes_airlight || path.maps == LightMapSet::none) continue;
+    const RenderSettings by_airlight{.path = &path, .fog_lighting = FogLighting::airlight};
+    const Fog fog = Fog::from_visibility(FogMode::exp, 40.0);
+    Renderer renderer(scene, kWidth, kHeight, by_airlight);
+    renderer.set_atmosphere(renderer.scene().atmosphere.with(fog));
+    for (const double ev : {3.0, 0.0}) renderer.set_exposure({.ev = ev});
+    renderer.draw();
+    EXPECT_EQ(largest_difference(renderer.read(), draw(scene, fog, by_airlight)), 0) << path.name;
+  }
+}
+
 // Two sheets of one surface at the same depth: all passes draw the later one, and no sample is lit twice.
 TEST_F(LightingPathPixels, EveryPassDrawsTheLastOfCoincidentTriangles) {
   Scene last = wall(1);

@@ -38,7 +38,7 @@ LightMapStore::LightMapStore(const scene::Scene& scene, const SceneLights& light
     const PlacedLight& light = lights.lights()[i];
     const Cone& cone = light.light.cone;
     const scene::CookieUse* const cookie = lights.cookie(i);
-    const Maps maps{set_ == LightMapSet::radial ? &*squares_ : range_map(light, lights.extents()[i]),
+    const Maps maps{set_ == LightMapSet::radial ? nullptr : range_map(light, lights.extents()[i]),
                     cookie ? cookie_map(scene, cookie->cookie) : cone_map(cone)};
     auto found = std::ranges::find(maps_, maps);
     if (found == maps_.end()) found = maps_.insert(maps_.end(), maps);
@@ -121,7 +121,7 @@ const LookupTexture* LightMapStore::cookie_map(const scene::Scene& scene, std::s
 
 void LightMapStore::bind(int kind) const {
   const Maps& maps = maps_[std::size_t(kind)];
-  maps.range->bind(kRangeMapUnit);
+  (maps.range ? *maps.range : *squares_).bind(kRangeMapUnit);
   maps.cone->bind(kConeMapUnit);
   if (distance_) distance_->bind(kDistanceMapUnit);
 }

@@ -33,7 +33,7 @@ class LightMapStore {
 
  private:
   struct Maps {
-    const LookupTexture* range;
+    const LookupTexture* range;  // null: squares_, which moves with this object
     const LookupTexture* cone;
 
     friend bool operator==(const Maps&, const Maps&) = default;
