@@ -45,7 +45,7 @@ using BatchSolutionsF = BasicBatchSolutions<float>;
 /// Largest errors of solve_fog_intensities: intensity and extent in ulp, peak range relative.
 inline constexpr double kBatchIntensityMaxUlp = 2;
 template <typename Real>
-inline constexpr double kBatchExtentMaxUlp = std::is_same_v<Real, float> ? 1.5 : 2;
+inline constexpr double kBatchExtentMaxUlp = std::is_same_v<Real, float> ? 1 : 2;
 template <typename Real>
 inline constexpr double kBatchPeakRangeMaxError = std::is_same_v<Real, float> ? 1e-4 : 1e-8;
 

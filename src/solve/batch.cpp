@@ -510,8 +510,11 @@ HWY_INLINE hn::Mask<D> has_least_fall(D d, V fall) {
   return hn::Ge(fall, hn::Set(d, hn::TFromD<D>(0x1p-30)));
 }
 
-/// The lights for which solve_peak is valid. For barely lit lights the denominator's digits cancel; at a threshold next
-/// to 1 the knee and the extent are both within kRoughness of the stationary point.
+/// The least excess of lights for which vectors do. For barely lit lights the denominator's digits cancel.
+constexpr double kLeastExcess = 0x1p-10;
+
+/// The lights for which solve_peak is valid. Barely lit ones are not; at a threshold next to 1 the knee and the extent
+/// are both within kRoughness of the stationary point.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE hn::Mask<D> is_ordinary(D d, const Lanes<V>& in) {
   using T = hn::TFromD<D>;
@@ -519,11 +522,11 @@ HWY_INLINE hn::Mask<D> is_ordinary(D d, const Lanes<V>& in) {
       hn::And(hn::Ge(in.density, hn::Set(d, T(0x1p-17))), hn::Le(in.density, hn::Set(d, T(0x1p+10))));
   const V least_excess = hn::Min(excess_of(d, in), hn::Sub(hn::Set(d, 1), in.threshold));
   return hn::And(is_safe(d, in, has_least_fall(d, hn::Add(in.linear, in.quadratic))),
-                 hn::And(hn::Ge(least_excess, hn::Set(d, T(0x1p-10))), is_safe_density));
+                 hn::And(hn::Ge(least_excess, hn::Set(d, T(kLeastExcess))), is_safe_density));
 }
 
-/// The limit cases among the other lights: clear air, total fog, constant attenuation, dark lights. The peak range is
-/// NaN in all other lanes.
+/// The limit cases among the other lights: clear air, total fog, constant attenuation, dark lights; not barely lit
+/// ones, for their extent. The peak range is NaN in all other lanes.
 template <class D, class V = hn::Vec<D>>
 HWY_INLINE Solved<V> solve_limit_cases(D d, const Lanes<V>& in) {
   const V one = hn::Set(d, 1);
@@ -534,7 +537,9 @@ HWY_INLINE Solved<V> solve_limit_cases(D d, const Lanes<V>& in) {
   const auto is_valid = hn::And(is_safe(d, in, hn::Or(is_constant, has_least_fall(d, fall))), hn::Ge(in.density, zero));
   const auto is_total = hn::Eq(in.density, infinity);
   const auto is_unlit = hn::Or(hn::Eq(in.density, zero), is_dark(d, in));
-  const auto is_limit = hn::And(is_valid, hn::Or(is_unlit, hn::Or(is_total, is_constant)));
+  const V excess = excess_of(d, in);
+  const auto is_barely_lit = hn::And(hn::Gt(excess, zero), hn::Lt(excess, hn::Set(d, hn::TFromD<D>(kLeastExcess))));
+  const auto is_limit = hn::AndNot(is_barely_lit, hn::And(is_valid, hn::Or(is_unlit, hn::Or(is_total, is_constant))));
   const V intensity = hn::IfThenZeroElse(is_unlit, hn::Div(one, hn::Max(in.constant, one)));  // a(0+)
   const V peak_range = hn::IfThenZeroElse(hn::Or(is_unlit, is_total), infinity);
   return {intensity, hn::IfThenElse(is_limit, peak_range, hn::NaN(d))};
