@@ -136,13 +136,16 @@ void call_functions(Random& random, Draw& draw) {
   is_ok(litfog_candela(&light, candela));
   is_ok(litfog_flash_at(&light.flash, draw.size(), &number));
   litfog_fog_intensity solution;
-  if (is_ok(litfog_solve(&light, &fog, &solution))) {
+  const bool can_solve = is_ok(litfog_check_light(&light)) && is_ok(litfog_check_fog(&fog));
+  EXPECT_EQ(is_ok(litfog_solve(&light, &fog, &solution)), can_solve);
+  if (can_solve) {
     EXPECT_TRUE(solution.intensity >= 0 && solution.intensity <= 1) << solution.intensity;
     EXPECT_TRUE(solution.peak_range >= 0 && solution.peak_range <= solution.extent) << solution.peak_range;
     EXPECT_EQ(solution.status, LITFOG_SOLVE_OK);
   }
   is_ok(litfog_sample(&light, &fog, draw.choice(60), &solution));
-  if (is_ok(litfog_axial_airlight(&light, &fog, &number))) {
+  EXPECT_EQ(is_ok(litfog_axial_airlight(&light, &fog, &number)), can_solve);
+  if (can_solve) {
     EXPECT_TRUE(number >= 0 && number <= 1) << number;
   }
   litfog_light_bounds bounds;
@@ -155,9 +158,8 @@ void call_functions(Random& random, Draw& draw) {
   if (is_ok(litfog_light_reach(&light, &fog, draw.number(0.01), draw.choice(2), &number))) {
     EXPECT_TRUE(number >= 0 && number <= solution.extent) << number;
   }
-  if (is_ok(litfog_bounds_of(&placed, draw.size(), &bounds))) {
-    EXPECT_TRUE(is_light);
-  }
+  const double reach = draw.size();
+  EXPECT_EQ(is_ok(litfog_bounds_of(&placed, reach, &bounds)), is_light && reach >= 0);
   is_ok(litfog_reach_budget(draw.number(0.002), draw.count(9), draw.size(), &air, &number));
   is_ok(litfog_effective_intensity(&light.attenuation, draw.size(), &number));
   if (is_ok(litfog_directional_airlight(&air, placed.direction, rays.data(), rays.size(), airlights.data()))) {
@@ -241,7 +243,9 @@ void call_handles(Random& random, Draw& draw) {
         case 0:
         case 1: {
           litfog_light_handle added;
-          if (is_ok(litfog_updater_add(updater, &light, &added))) held.push_back(added);
+          const bool is_light = is_ok(litfog_check_placed_light(&light));
+          EXPECT_EQ(is_ok(litfog_updater_add(updater, &light, &added)), is_light);
+          if (is_light) held.push_back(added);
           break;
         }
         case 2:
@@ -251,7 +255,9 @@ void call_handles(Random& random, Draw& draw) {
           is_ok(litfog_updater_switch_light(updater, handle, draw.choice(2)));
           break;
         case 4:
-          is_ok(litfog_updater_remove(updater, handle));
+          if (is_ok(litfog_updater_remove(updater, handle))) {
+            EXPECT_FALSE(is_ok(litfog_updater_remove(updater, handle)));
+          }
           break;
         case 5:
           is_ok(litfog_updater_set_time(updater, draw.size()));
@@ -260,6 +266,7 @@ void call_handles(Random& random, Draw& draw) {
           const litfog_atmosphere air = draw.atmosphere();
           litfog_fog_light_changes changes;
           litfog_fog_light_tables tables;
+          EXPECT_EQ(is_ok(litfog_updater_set_fog(updater, &air.fog, &changes)), is_ok(litfog_check_fog(&air.fog)));
           if (!is_ok(litfog_updater_set_atmosphere(updater, &air, draw.number(0.1), &changes))) break;
           EXPECT_TRUE(is_ok(litfog_updater_tables(updater, &tables)));
           for (std::size_t i = 0; i < changes.instance_count; ++i) {

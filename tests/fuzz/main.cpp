@@ -93,7 +93,8 @@ std::string damaged(std::string bytes, Random& random) {
 }
 
 void run_seeds(const FuzzTarget& target) {
-  constexpr int kDamages = 500;  // of each seed
+  const int damages = target.seeds == random_seeds ? 20 : 1000;  // of each seed
+  constexpr std::size_t kMostCuts = 4096;
   std::printf("%s\n", target.name);
   std::fflush(stdout);
   std::vector<std::string> seeds = target.seeds();
@@ -104,8 +105,10 @@ void run_seeds(const FuzzTarget& target) {
   Random random(1);
   for (const std::string& seed : seeds) {
     target.run(seed);
-    const bool is_random = target.seeds == random_seeds;
-    for (int i = 0; i < kDamages && !is_random; ++i) target.run(damaged(seed, random));
+    for (int i = 0; i < damages; ++i) target.run(damaged(seed, random));
+    for (std::size_t size = 0; size < std::min(seed.size(), kMostCuts) && target.seeds != random_seeds; ++size) {
+      target.run(seed.substr(0, size));
+    }
   }
 }
 
