@@ -67,11 +67,12 @@ class KeptRenderer {
   }
 
  private:
-  /// The automatic exposure at a quarter of the width and height, but at least 80 pixels, wrong by up to 0.1 EV. Saves a
-  /// fifth of the first sketch's work.
+  /// The automatic exposure at a quarter of the width and height, but kLeastWidth at least, wrong by up to 0.1 EV.
+  /// Saves a fifth of the first sketch's work.
   double rough_exposure() {
     const int width = renderer_->width(), height = renderer_->height();
-    const int part = std::clamp(width / 80, 1, 4);
+    constexpr int kLeastWidth = 80;
+    const int part = std::clamp(width / kLeastWidth, 1, 4);
     renderer_->set_size(std::max(width / part, 1), std::max(height / part, 1));
     const double ev = renderer_->set_exposure({.is_auto = true}).ev;
     renderer_->set_size(width, height);

@@ -85,8 +85,8 @@ double picture_airlight(const PlacedLight& light, const Cookie& cookie, const gl
 }
 
 BeamMoments beam_moments(const Cookie& cookie) {
-  // Along an edge of a face: samples, which are the texels of a cookie that has more, because a narrow beam lies
-  // between fewer; and the samples of a cell, in which the polynomials are those of the mean cosine.
+  // Samples along an edge of a face are the texels, or kFewest where there are fewer: a narrow beam would lie between
+  // fewer samples. The samples of a cell share the polynomials of their mean cosine.
   constexpr int kFewest = 64;
   const int size = std::max(cookie.size, kFewest), cell = size / kFewest;
   BeamMoments moments{};

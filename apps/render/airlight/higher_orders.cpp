@@ -14,7 +14,7 @@ namespace litfog::render {
 
 HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> cookies, const Atmosphere& atmosphere,
                            const HigherOrders& last)
-    : phase_(atmosphere.phase) {
+    : cookie_moments_(last.cookie_moments_), phase_(atmosphere.phase) {
   const bool is_same = last.table && last.phase_ == phase_;
   table = is_same ? last.table : make_scattering_table(atmosphere);
   thin_ = is_same ? last.thin_ : make_thin_beams(atmosphere, *table);
@@ -28,8 +28,10 @@ HigherOrders::HigherOrders(const SceneLights& lights, std::span<const Cookie> co
   const auto beam_of = [&](std::size_t light) {
     if (const scene::CookieUse* const use = lights.cookie(light)) {
       const auto [found, is_new] = beam_of_cookie.try_emplace(use->cookie, 0);
-      if (is_new) found->second = add(beam_moments(cookies[use->cookie]));
-      return found->second;
+      if (!is_new) return found->second;
+      const auto [moments, is_unknown] = cookie_moments_.try_emplace(use->cookie);
+      if (is_unknown) moments->second = beam_moments(cookies[use->cookie]);
+      return found->second = add(moments->second);
     }
     const Cone& cone = lights.lights()[light].light.cone;
     if (cone.is_point_light()) return kPointBeam;
