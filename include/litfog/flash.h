@@ -17,7 +17,7 @@ inline constexpr double kMaxFlashSeconds = 1e9;    ///< largest time; doubles th
 /// One flash of a lamp, in each period.
 struct SingleFlash {
   double start = 0;      ///< seconds from the period's start, not before the end of the previous flash
-  double duration = 0;   ///< seconds, > 0, also beside the start; the flash ends within the period
+  double duration = 0;   ///< seconds, > 0 and no mere rounding of the start; it ends within the period
   double intensity = 1;  ///< (0, kMaxFlashIntensity]: multiplies the light's colour
 
   friend bool operator==(const SingleFlash&, const SingleFlash&) = default;

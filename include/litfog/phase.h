@@ -42,8 +42,8 @@ struct Phase {
   friend bool operator==(const Phase&, const Phase&) = default;
 };
 
-/// Diameter of the droplets that have a phase function, micrometres: where its parameters are theirs but for relative
-/// errors of 5e-7, and none where one of them differs from those of all droplets by more than 1e-6.
+/// Diameter of the droplets that have a phase function, micrometres. It is found if each parameter is within 5e-7 of
+/// theirs, relatively, and never if one is farther than 1e-6.
 std::optional<double> droplet_diameter(const Phase& phase);
 
 /// What is wrong with a lobe, or nothing.

@@ -10,7 +10,8 @@ inline double versine(double angle) {
   const double sine = std::sin(angle / 2);
   return 2 * sine * sine;
 }
-/// sin x / x - cos x; below 0.1, where they cancel, by the series x^2 / 3 - x^4 / 30 + x^6 / 840 - ...
+/// sin x / x - cos x: how much the mean cosine from -x to x exceeds that at the ends. Below 0.1, where they cancel, by
+/// the series x^2 / 3 - x^4 / 30 + x^6 / 840 - ...
 inline double mean_cosine_excess(double x) {
   const double square = x * x;
   if (square > 0.01) return std::sin(x) / x - std::cos(x);

@@ -117,7 +117,7 @@ struct LightingPath {
 /// The ten paths that are compared, the default one first.
 std::span<const LightingPath> lighting_paths();
 
-/// They, then the papers' sample programs, exercises and intermediate pictures.
+/// The ten paths, then the papers' sample programs, exercises and intermediate pictures.
 std::span<const LightingPath> all_paths();
 
 /// Draws the base texture without light and fog: the lower limit of the paths' cost. Not one of the paths.

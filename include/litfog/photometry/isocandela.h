@@ -23,8 +23,8 @@ namespace litfog {
 ///     30,1.5,9,12,12
 ///     0,5,30,40,40
 ///
-/// Ellipses have one row each, from the inner to the outer, with half axes in degrees (elliptical_beam()). Within the
-/// first, the light has the first one's candela; beyond the last, it has none.
+/// Ellipses, 1000 at most, have a row each, from the inner to the outer, with half axes in degrees (elliptical_beam()).
+/// Within the first, the light has the first one's candela; beyond the last, it has none.
 ///
 ///     # approach side row light
 ///     candela,horizontal_deg,vertical_deg
